@@ -1,4 +1,5 @@
 #include "cli/board.h"
+#include "cli/manners.h"
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
@@ -27,11 +28,12 @@ Size size_of_terminal() {
 
 }  // namespace
 
-Board::Board() : terminal_(isatty(STDERR_FILENO) == 1), next_(certify::Clock::now() + kPlain) {}
+Board::Board() : terminal_(can_redraw()), next_(certify::Clock::now() + kPlain) {}
 
 Board::~Board() { close(); }
 
 void Board::show(const certify::fuzzing::BoardView& view) {
+  if (is_quiet()) return;
   if (!terminal_) {
     if (certify::Clock::now() < next_) return;
     next_ = certify::Clock::now() + kPlain;
@@ -44,14 +46,14 @@ void Board::show(const certify::fuzzing::BoardView& view) {
   // Where the terminal is low, what fits of the targets and the line at the end.
   if (lines.size() >= size.rows && size.rows > 2)
     lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(size.rows) - 2, lines.end() - 1);
-  for (const std::string& line : lines) std::cerr << line.substr(0, size.columns - 1) << '\n';
+  for (const std::string& line : lines) std::cerr << first_characters(line, size.columns - 1) << '\n';
   drawn_ = lines.size();
   std::cerr << std::flush;
 }
 
 void Board::say(const std::string& line) {
   clear();
-  std::cerr << line << std::endl;
+  if (!is_quiet()) std::cerr << line << std::endl;
 }
 
 void Board::close() { clear(); }

@@ -1,5 +1,5 @@
 // A campaign on the screen: on a terminal a board that is drawn again every second, elsewhere a line now and then; both
-// on standard error.
+// on standard error, and neither with --quiet.
 #pragma once
 
 #include <chrono>

@@ -20,6 +20,7 @@
 #include "certify/trace/trace.h"
 #include "cli/certify_adapter.h"
 #include "cli/evidence.h"
+#include "cli/manners.h"
 #include "cli/program.h"
 #include "cli/progress.h"
 #include "cli/stop.h"
@@ -261,13 +262,17 @@ int certify(const CertifyOptions& options) {
     campaign.corpus_hash = manifest.hash;
     golden = folder;
   }
+  detail("controller: " + campaign.controller);
+  detail(fmt::format("{} cases read, {} generated a section, seed {}", campaign.cases.size(), campaign.generated,
+                     campaign.seed));
+  if (!golden.empty()) detail(fmt::format("corpus {} of {}", campaign.corpus, golden.string()));
   evidence.begin(campaign, adapter ? adapter->name : "", golden);
   const auto start = std::chrono::steady_clock::now();
   const auto elapsed = [start] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   certify::RunningReport running(options.report, campaign.controller);
-  if (!running.earlier().empty()) std::cerr << options.report << ": " << running.earlier() << '\n';
+  if (!running.earlier().empty()) note(options.report + ": " + running.earlier());
   const Stop stop(options.time_limit.empty() ? std::nullopt
                                              : std::optional(duration_of(options.time_limit, "--time-limit")));
   campaign.stop = [&stop] { return stop.why(); };

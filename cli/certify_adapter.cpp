@@ -1,5 +1,6 @@
 // toolcomp certify --controller NAME: adapters.
 #include "cli/certify_adapter.h"
+#include "cli/manners.h"
 
 #include <fmt/format.h>
 
@@ -77,12 +78,14 @@ int certify_adapter(const CertifyOptions& options, const certify::Adapter& adapt
   campaign.timeout = std::chrono::milliseconds(std::llround(options.timeout * 1000));
   campaign.report = options.report;
   for (const std::string& text : options.altered) campaign.altered.insert(read_altered(text));
-  campaign.progress = [](const std::string& line) { std::cerr << line << '\n'; };
+  campaign.progress = [](const std::string& line) { note(line); };
+  detail(fmt::format("adapter {} of {}; {} programs read, {} generated, seed {}", adapter.name, adapter.folder.string(),
+                     campaign.cases.size(), campaign.generated, campaign.seed));
   certify::RunningMark mark(options.report, adapter.name);
   if (mark.earlier()) {
     const auto aside = certify::set_aside(std::filesystem::path(options.report) / "runs");
-    std::cerr << options.report << ": " << certify::words(*mark.earlier())
-              << (aside ? "; its recordings are in " + aside->string() : "") << '\n';
+    note(options.report + ": " + certify::words(*mark.earlier()) +
+         (aside ? "; its recordings are in " + aside->string() : ""));
   }
   const Stop stop(options.time_limit.empty() ? std::nullopt
                                              : std::optional(duration_of(options.time_limit, "--time-limit")));

@@ -1,18 +1,25 @@
 // toolcomp config: setups and cases.
+#include <array>
+#include <filesystem>
 #include <iostream>
+#include <optional>
 
+#include "cli/manners.h"
 #include "cli/program.h"
 #include "cli/verbs.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/case_format.h"
+#include "spec/language/data_folder.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
+#include "spec/language/suggestion.h"
 
 namespace toolcomp::cli {
 namespace {
 
 int check(const std::string& file) {
   if (file.empty()) throw spec::InputError("config check", 0, 0, "name a setup or a case");
+  detail("reads " + file);
   const std::string text = spec::read_file(file);
   const bool is_case = file.ends_with(".json") && text.find("\"program\"") != std::string::npos;
   try {
@@ -28,7 +35,7 @@ int check(const std::string& file) {
     if (error.line() == 0 && !error.file().starts_with(file)) throw spec::InputError(file, 0, 0, error.what());
     throw;
   }
-  std::cerr << file << ": " << (is_case ? "a valid case" : "a valid setup") << '\n';
+  note(file + ": " + (is_case ? "a valid case" : "a valid setup"));
   return kAgrees;
 }
 
@@ -39,7 +46,17 @@ std::string_view schema(const std::string& name) {
   if (name == "hello") return spec::hello_schema();
   if (name == "answer") return spec::answer_schema();
   throw spec::InputError("config schema", 0, 0,
-                         "no schema \"" + name + "\"; there are setup, case, event, hello, answer");
+                         "no schema \"" + name + "\"; there are setup, case, event, hello, answer" +
+                             spec::did_you_mean(name, std::array{"setup", "case", "event", "hello", "answer"}));
+}
+
+// Where the schema of setups lies, for editors that read TOML by schemas.
+std::optional<std::filesystem::path> schema_file() {
+  for (const char* const folder : {"", "corpus/schema"}) {
+    std::filesystem::path file = spec::data_folder() / folder / "setup.schema.json";
+    if (std::filesystem::is_regular_file(file)) return file;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -50,6 +67,7 @@ int config(const ConfigOptions& options) {
     return kAgrees;
   }
   if (options.verb == "example") {
+    if (const auto file = schema_file()) std::cout << "#:schema " << file->string() << '\n';
     std::cout << spec::setup_example(options.control == "fanuc" ? spec::Control::fanuc : spec::Control::heidenhain);
     return kAgrees;
   }

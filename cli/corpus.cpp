@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "cli/controller.h"
+#include "cli/manners.h"
 #include "cli/program.h"
 #include "cli/progress.h"
 #include "cli/stop.h"
@@ -253,6 +254,7 @@ int freeform(const CorpusOptions& options) {
 }  // namespace
 
 int corpus(const CorpusOptions& options) {
+  detail(fmt::format("corpus {}, seed {}, {} jobs", folder_of(options).string(), options.seed, options.jobs));
   if (options.verb == "generate") return generate(options);
   if (options.verb == "merge") return merge(options);
   if (options.verb == "check") return check(options);

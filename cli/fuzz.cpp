@@ -15,6 +15,7 @@
 #include "cli/controller.h"
 #include "cli/fuzz_bench.h"
 #include "cli/fuzz_findings.h"
+#include "cli/manners.h"
 #include "cli/program.h"
 #include "cli/progress.h"
 #include "cli/stop.h"
@@ -175,6 +176,7 @@ int fuzz(const FuzzOptions& options) {
   const Plan plan = plan_of(options);
   expect_folder(options.findings, "--findings");
   fmt::print("seed {}\n", options.seed);
+  detail(fmt::format("{} jobs; findings go to {}", options.jobs, options.findings));
   const Stop stop;
   FuzzFindings findings(options, [&stop] { return !stop.why().empty(); });
   settle_earlier(options, findings, stop);
@@ -189,6 +191,8 @@ int fuzz(const FuzzOptions& options) {
       continue;
     }
     const bool clang = bench.has_clang(*fuzz::find_target(fuzz::twin_name(section, fuzz::Mode::directed)));
+    detail(section + (clang ? ": clang targets" : ": built-in driver") +
+           (options.controller.empty() ? ", engine fast" : ", controller " + options.controller));
     const Progress progress("executions");
     fuzz::CampaignResult sum;
     std::vector<fuzz::CampaignResult> results;

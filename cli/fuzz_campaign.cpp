@@ -16,6 +16,7 @@
 #include "cli/board.h"
 #include "cli/controller.h"
 #include "cli/fuzz_bench.h"
+#include "cli/manners.h"
 #include "cli/program.h"
 #include "cli/stop.h"
 #include "cli/verbs.h"
@@ -108,6 +109,8 @@ int fuzz_campaign(const FuzzOptions& options) {
   // Whether it can be used is known before hours of work.
   if (!options.controller.empty())
     static_cast<void>(controller_subject(options.controller, options.timeout, options.accept_resolution));
+  detail(fmt::format("campaign {}: {} targets, {} jobs, seed {}", options.campaign, campaign.targets.size(),
+                     campaign.jobs, campaign.seed));
   const Stop stop;
   campaign.stop = [&stop] { return !stop.why().empty(); };
   Board board;

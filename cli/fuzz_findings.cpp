@@ -1,4 +1,5 @@
 #include "cli/fuzz_findings.h"
+#include "cli/manners.h"
 
 #include <fmt/format.h>
 
@@ -68,8 +69,7 @@ fs::path free_file(const fs::path& folder, const certify::Finding& finding) {
 
 FuzzFindings::FuzzFindings(const FuzzOptions& options, std::function<bool()> stop)
     : options_(options), stop_(std::move(stop)), folder_(options.findings), mark_(folder_, options.controller) {
-  if (mark_.earlier())
-    std::cerr << options.findings << ": " << certify::words(*mark_.earlier()) << "; what it found is there\n";
+  if (mark_.earlier()) note(options.findings + ": " + certify::words(*mark_.earlier()) + "; what it found is there");
 }
 
 Watch FuzzFindings::watch() {

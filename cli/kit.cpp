@@ -12,6 +12,7 @@
 #include "certify/kit/kit_json.h"
 #include "certify/kit/make.h"
 #include "certify/report.h"
+#include "cli/manners.h"
 #include "cli/program.h"
 #include "cli/progress.h"
 #include "cli/verbs.h"
@@ -34,6 +35,7 @@ kit::Machine read_machine(const KitOptions& options) {
   const std::string_view dialect = machine.setup.control == spec::Control::fanuc ? "fanuc" : "heidenhain";
   if (!options.dialect.empty() && options.dialect != dialect)
     throw spec::InputError(options.setup, 0, 0, fmt::format("control is {}, --dialect {}", dialect, options.dialect));
+  detail("setup " + options.setup);
   for (const std::string& travel : options.travels) kit::add_travel(machine, travel);
   return machine;
 }
@@ -72,6 +74,8 @@ int make(const KitOptions& options) {
   how.seed = options.seed;
   how.first_offset = options.first_offset;
   how.tolerance = tolerance_of(options.tolerance).value_or(how.tolerance);
+  detail(
+      fmt::format("corpus {}; {} programs generated besides, seed {}", how.corpus.string(), how.generated, how.seed));
   if (!options.controller.empty()) how.why_not = asking(options);
   kit::Kit made;
   {
@@ -101,6 +105,7 @@ int judge(const KitOptions& options) {
   how.tolerance = tolerance_of(options.tolerance);
   how.machine_coordinates = options.machine_coordinates;
   how.rapids_by_axis = options.rapids_by_axis;
+  detail(fmt::format("kit {}, {} recordings", options.folder, options.recordings.size()));
   const kit::KitVerdict verdict = kit::judge_kit(how);
   kit::write_certificate(verdict, options.report);
   const auto program_name = [&verdict](unsigned number) {
@@ -117,7 +122,7 @@ int judge(const KitOptions& options) {
   for (const kit::JudgedAlarm& judged : verdict.alarms)
     fmt::print("{}: alarm {}{}{}\n", program_name(judged.number), kit::name(judged.verdict),
                judged.noted.empty() ? "" : ", ", judged.noted);
-  for (const std::string& stranger : verdict.strangers) std::cerr << stranger << " is not of this kit\n";
+  for (const std::string& stranger : verdict.strangers) note(stranger + " is not of this kit");
   fmt::print("{} of {} clause outcomes of the kit shown; {}\n", verdict.shown, verdict.kit.recorded + verdict.kit.noted,
              (fs::path(options.report) / "index.html").string());
   return kit::exit_status(verdict);

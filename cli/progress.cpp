@@ -1,9 +1,9 @@
 #include "cli/progress.h"
 
-#include <unistd.h>
-
 #include <chrono>
 #include <iostream>
+
+#include "cli/manners.h"
 
 namespace toolcomp::cli {
 namespace {
@@ -20,12 +20,12 @@ void show(const std::string& text) {
   if (now - last_shown < kInterval) return;
   last_shown = now;
   line_open = true;
-  std::cerr << '\r' << text << "\033[K" << std::flush;
+  std::cerr << '\r' << first_characters(text, columns_of(Stream::err) - 1) << "\033[K" << std::flush;
 }
 
 }  // namespace
 
-Progress::Progress(const char* unit) { unit_shown = isatty(STDERR_FILENO) == 1 ? unit : nullptr; }
+Progress::Progress(const char* unit) { unit_shown = can_redraw() ? unit : nullptr; }
 
 Progress::~Progress() {
   if (line_open) std::cerr << "\r\033[K" << std::flush;

@@ -1,4 +1,5 @@
-// Progress on a terminal: one line on standard error, rewritten; nothing where it is no terminal.
+// Progress on a terminal: one line on standard error, rewritten; nothing where it is no terminal
+// that can be drawn over, or with --quiet.
 #pragma once
 
 #include <cstdint>

@@ -5,6 +5,7 @@
 
 #include <iostream>
 
+#include "cli/manners.h"
 #include "cli/verbs.h"
 #include "formal/engine.h"
 
@@ -12,14 +13,18 @@ namespace toolcomp::cli {
 
 int serve(EngineName engine) {
   if (::isatty(STDIN_FILENO) == 1)
-    std::cerr << "This speaks the controller protocol (docs/protocol.md): a JSON object a line, an answer a line.\n"
-                 "Try {\"hello\":1}, then {\"case\":1,\"id\":\"a\",\"setup\":{\"control\":\"fanuc\"},\"program\":\"G01 "
-                 "X1 F1\"}; Ctrl-D ends it.\n";
+    note(
+        "This speaks the controller protocol (docs/protocol.md): a JSON object a line, an answer a line.\n"
+        "Try {\"hello\":1}, then {\"case\":1,\"id\":\"a\",\"setup\":{\"control\":\"fanuc\"},\"program\":\"G01 "
+        "X1 F1\"}; Ctrl-D ends it.");
   if (engine == EngineName::specification && !formal::available()) {
     std::cerr << "this toolcomp was built without the formal specification: install coq, ocaml and ocaml-findlib, and "
                  "build it again\n";
     return kBadInput;
   }
+  detail(engine == EngineName::model  ? "engine: model, exact"
+         : engine == EngineName::fast ? "engine: fast, double"
+                                      : "engine: formal specification");
   const auto served = engine == EngineName::model  ? certify::ServedEngine::model
                       : engine == EngineName::fast ? certify::ServedEngine::fast
                                                    : certify::ServedEngine::specification;

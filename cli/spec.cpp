@@ -4,6 +4,7 @@
 #include <iostream>
 #include <vector>
 
+#include "cli/manners.h"
 #include "cli/verbs.h"
 #include "corpus/check.h"
 #include "corpus/golden.h"
@@ -19,6 +20,7 @@ int spec(const SpecOptions& options) {
   if (options.verb == "keys") std::cout << spec::list_keys(format);
   if (options.verb == "parameters") std::cout << spec::list_parameters(format);
   if (options.verb == "coverage") {
+    detail("corpus " + (options.directory.empty() ? corpus::default_folder().string() : options.directory));
     const corpus::Coverage coverage = corpus::coverage(
         options.directory.empty() ? corpus::default_folder() : std::filesystem::path(options.directory));
     std::vector<spec::ProofCount> proofs;

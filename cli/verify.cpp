@@ -5,6 +5,7 @@
 #include <random>
 
 #include "certify/bundle/verify.h"
+#include "cli/manners.h"
 #include "cli/progress.h"
 #include "cli/verbs.h"
 #include "corpus/golden.h"
@@ -39,6 +40,7 @@ int verify(const VerifyOptions& options) {
   how.sample = options.sample;
   how.seed = options.seed.value_or(any_seed());
   how.all = options.all;
+  detail(fmt::format("reads {}; corpus {}; seed {}", how.file.string(), how.corpus.string(), how.seed));
   certify::bundle::Verification verification;
   {
     const Progress progress("cases");

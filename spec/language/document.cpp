@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "spec/language/input_error.h"
+#include "spec/language/suggestion.h"
 
 namespace toolcomp::spec::document {
 namespace {
@@ -105,7 +106,8 @@ std::size_t Reader::choice(const Node& node, std::string_view name, std::span<co
   const std::string& text = string(node, name);
   const auto found = std::ranges::find(choices, std::string_view(text));
   if (found == choices.end())
-    fail(node.at, std::string(name) + ": unknown value " + in_quotes(text) + "; expected one of " + joined(choices));
+    fail(node.at, std::string(name) + ": unknown value " + in_quotes(text) + "; expected one of " + joined(choices) +
+                      did_you_mean(text, choices));
   return static_cast<std::size_t>(found - choices.begin());
 }
 
@@ -113,8 +115,8 @@ void Reader::keys(const Node& node, std::string_view name, std::span<const std::
   expect(node, Kind::table, name);
   for (const Member& member : node.members)
     if (std::ranges::find(known, std::string_view(member.name)) == known.end())
-      fail(member.at,
-           std::string(name) + ": unknown key " + in_quotes(member.name) + "; expected one of " + joined(known));
+      fail(member.at, std::string(name) + ": unknown key " + in_quotes(member.name) + "; expected one of " +
+                          joined(known) + did_you_mean(member.name, known));
 }
 
 }  // namespace toolcomp::spec::document

@@ -10,6 +10,7 @@
 #include "spec/language/setup_document.h"
 #include "spec/language/setup_format.h"
 #include "spec/language/setup_key.h"
+#include "spec/language/suggestion.h"
 
 namespace toolcomp::spec {
 namespace {
@@ -78,9 +79,8 @@ void read_parameter(const Member& member, const Reader& read, Setup& setup) {
     read.fail(member.at, "parameters: " + in_quotes(name) +
                              " is no parameter; expected a number up to 99999, or number#bit with a bit from 0 to 7");
   if (!is_known(*id))
-    read.fail(member.at, "parameters: " + in_quotes(name) + " is not known; the nearest that is known is " +
-                             in_quotes(to_string(nearest_parameter(*id).id)) +
-                             "; `toolcomp spec parameters` lists them");
+    read.fail(member.at, "parameters: " + in_quotes(name) + " is not known (`toolcomp spec parameters` lists them)" +
+                             did_you_mean(name, std::vector{to_string(nearest_parameter(*id).id)}));
   if (id->bit >= 0 && member.value.kind == Kind::boolean) {
     setup.parameters[*id] = decimal(member.value.boolean ? 1 : 0);
     return;
@@ -177,8 +177,9 @@ void read_workpiece(const Node& node, const Reader& read, Setup& setup) {
   for (const Member& member : node.members) {
     AxisTable* const table = workpiece_table(member.name, setup);
     if (table == nullptr)
-      read.fail(member.at,
-                "workpiece: unknown key " + in_quotes(member.name) + "; expected G54 to G59, P1 to P48 or external");
+      read.fail(member.at, "workpiece: unknown key " + in_quotes(member.name) +
+                               "; expected G54 to G59, P1 to P48 or external" +
+                               did_you_mean(member.name, std::array{"external"}));
     *table = axis_table(member.value, "workpiece." + member.name, setup, read);
   }
   std::erase_if(setup.additional_workpiece, [](const auto& entry) { return entry.second.empty(); });

@@ -147,8 +147,9 @@ std::vector<std::string_view> nearest_ids(std::string_view id) {
 [[noreturn]] void fail_unknown(std::string_view id) {
   std::string message = "no clause has this id";
   const std::vector<std::string_view> ids = nearest_ids(id);
-  for (std::size_t i = 0; i < ids.size(); ++i) message += (i == 0 ? "; near it: " : ", ") + std::string(ids[i]);
-  throw InputError(std::string(id), 0, 0, message + (ids.empty() ? "; `toolcomp spec list` lists them" : ""));
+  for (std::size_t i = 0; i < ids.size(); ++i)
+    message += (i == 0 ? "; did you mean " : i + 1 == ids.size() ? " or " : ", ") + std::string(ids[i]);
+  throw InputError(std::string(id), 0, 0, message + (ids.empty() ? "; `toolcomp spec list` lists them" : "?"));
 }
 
 std::string mention_text(const std::vector<Mention>& mentions) {

@@ -62,8 +62,9 @@ TEST_F(BadInput, UnknownParameters) {
   const auto with = [&](const std::string& line) {
     return folder.write("p.toml", "control = \"fanuc\"\n[parameters]\n" + line + "\n");
   };
-  refused("run " + program + " --setup " + with("19860 = 2"),
-          R"(p.toml:3:1: parameters: "19860" is not known; the nearest that is known is "19680")");
+  refused(
+      "run " + program + " --setup " + with("19860 = 2"),
+      R"(p.toml:3:1: parameters: "19860" is not known (`toolcomp spec parameters` lists them); did you mean 19680?)");
   refused("config check " + with("\"19631#3\" = 1"), R"(p.toml:3:1: parameters: "19631#3" is not known)");
   refused("config check " + with("19680 = 3"), "p.toml:3:9: parameters.19680: expected 0, 2, 12 or 21");
   refused("config check " +

@@ -255,7 +255,8 @@ TEST(Setup, MeasurementNamesAxesOfTheSetup) {
 }
 
 TEST(Setup, ErrorsNamePlaceFaultAndExpectation) {
-  EXPECT_EQ(toml_error("units = \"cm\""), "f.toml:1:9: units: unknown value \"cm\"; expected one of mm, inch");
+  EXPECT_EQ(toml_error("units = \"cm\""),
+            "f.toml:1:9: units: unknown value \"cm\"; expected one of mm, inch; did you mean mm?");
   const std::string unknown = toml_error("\n unit = 1");  // between its ends further second readings may stand
   EXPECT_TRUE(
       unknown.starts_with("f.toml:2:2: setup: unknown key \"unit\"; expected one of control, units, axes, increment, "
@@ -285,7 +286,7 @@ TEST(Setup, ErrorsNamePlaceFaultAndExpectation) {
   EXPECT_EQ(toml_error("offsets.memory = \"A\"\n[offsets.H]\n1 = { wear = 1 }"),
             "f.toml:3:5: offsets: memory A has one value an entry; expected a number, or memory B or C");
   EXPECT_EQ(toml_error("[offsets.H]\n1 = { ware = 1 }"),
-            "f.toml:2:7: offsets.H.1: unknown key \"ware\"; expected one of geometry, wear");
+            "f.toml:2:7: offsets.H.1: unknown key \"ware\"; expected one of geometry, wear; did you mean wear?");
   EXPECT_EQ(toml_error("[position]\nB = 1"), "f.toml:2:1: position: \"B\" is no axis of this setup; its axes are XYZ");
   EXPECT_EQ(toml_error("[workpiece.G53]\nX = 1").substr(0, 35), "f.toml:1:12: workpiece: unknown key");
   EXPECT_EQ(toml_error("[reference.5]\nX = 1").substr(0, 35), "f.toml:1:12: reference: unknown key");
@@ -294,8 +295,8 @@ TEST(Setup, ErrorsNamePlaceFaultAndExpectation) {
 // The table stands in spec/parameters.toml; what is expected here are the numbers and values of the manuals.
 TEST(Setup, UnknownParametersAreRefusedWithTheNearest) {
   const auto unknown = [](const std::string& key, const std::string& nearest) {
-    return "parameters: \"" + key + "\" is not known; the nearest that is known is \"" + nearest +
-           "\"; `toolcomp spec parameters` lists them";
+    return "parameters: \"" + key + "\" is not known (`toolcomp spec parameters` lists them); did you mean " + nearest +
+           "?";
   };
   // Two digits exchanged; a bit of a whole number; a bit that the manual leaves free; a neighbour.
   EXPECT_EQ(toml_error("units = \"mm\"\n[parameters]\n  19860 = 2"), "f.toml:3:3: " + unknown("19860", "19680"));
@@ -383,7 +384,7 @@ TEST(Setup, NumbersAreExactOrRefused) {
 TEST(Setup, ColumnsCountBytes) {
   // The ä of the first value is bytes 19 and 20, so the second key begins at byte 24.
   EXPECT_EQ(toml_error("[offsets.H]\n1 = { geometry = \"ä\", ware = 1 }"),
-            "f.toml:2:24: offsets.H.1: unknown key \"ware\"; expected one of geometry, wear");
+            "f.toml:2:24: offsets.H.1: unknown key \"ware\"; expected one of geometry, wear; did you mean wear?");
   EXPECT_EQ(json_error("{\"offsets\":{\"H\":{\"1\":{\"geometry\":\"ä\",\"ware\":1}}}}").substr(0, 14),
             "f.json:1:39: o");
 }
@@ -401,7 +402,7 @@ TEST(Setup, KeysOfAControlAreRefusedUnderTheOther) {
   EXPECT_EQ(
       toml_error(kHeidenhain + std::string("tools = 1")),
       "f.toml:2:1: setup: unknown key \"tools\"; expected one of control, units, axes, block_skip, position, tool, "
-      "correction, dr2table");
+      "correction, dr2table; did you mean tool?");
 }
 
 TEST(Setup, HeidenhainDefaults) {
@@ -433,7 +434,8 @@ TEST(Setup, ToolRows) {
         << number;
   EXPECT_EQ(tool_error("R = 1"), "f.toml:2:1: tool: without number");
   EXPECT_EQ(tool_error("number = 1\nr = 2"),
-            "f.toml:4:1: tool: unknown key \"r\"; expected one of number, name, R, R2, L, DL, DR, DR2, DR2TABLE");
+            "f.toml:4:1: tool: unknown key \"r\"; expected one of number, name, R, R2, L, DL, DR, DR2, DR2TABLE; "
+            "did you mean R?");
   EXPECT_EQ(tool_error("number = 1\n[[tool]]\nnumber = \"1\""), "f.toml:5:10: tool.number: tool 1 is given twice");
   EXPECT_EQ(tool_error("number = 1\nname = \"A\"\n[[tool]]\nnumber = 2\nname = \"A\""),
             "f.toml:7:8: tool.name: the name \"A\" is given twice");

@@ -1,0 +1,83 @@
+// The verb fuzz, and the unlisted ones of the processes that a campaign begins.
+#include <memory>
+
+#include "cli/command_line.h"
+#include "cli/options.h"
+#include "cli/verbs.h"
+
+namespace toolcomp::cli {
+namespace {
+
+void define_fuzz(CommandLine& line) {
+  const auto options = std::make_shared<FuzzOptions>();
+  CLI::App* sub = line.verb("fuzz", "Search for differences", [options] {
+    return options->campaign.empty() && options->merge.empty() ? fuzz(*options) : fuzz_campaign(*options);
+  });
+  take_sections(sub, options->sections);
+  take(sub, "--for", options->duration, "TIME",
+       "How long a section: 60s, 10m, 1h (default 60s without --runs); a campaign: in all (default: without end)");
+  take(sub, "--runs", options->runs, "N", "Executions a section instead of a time");
+  take(sub, "--jobs", options->jobs, "N", "Searches side by side", 1U, 256U);
+  take(sub, "--seed", options->seed, "N", "Seed of every random choice");
+  take(sub, "--controller", options->controller, "CONTROLLER", "Judge this controller instead of the fast engine");
+  take(sub, "--findings", options->findings, "FOLDER", "Folder for findings");
+  take_accept_resolution(sub, options->accept_resolution);
+  take_timeout(sub, options->timeout, "Seconds a case may take the controller");
+  take(sub, "--campaign", options->campaign, "FOLDER",
+       "Folder of a campaign (docs/campaigns.md): corpus, findings, log, state; goes on where it stopped");
+  take(sub, "--target", options->targets, "TARGET", "Campaign: this target (repeatable), besides those of --section");
+  take(sub, "--shard", options->shard, "I/N", "Campaign: I/N, with other seeds than the other shards");
+  take(sub, "--merge", options->merge, "FOLDER", "Merge these campaigns into the new one of --campaign")
+      ->allow_extra_args();
+  sub->add_flag("--built-in", options->built_in, "Without the clang targets, where they are");
+  sub->add_flag("--no-specification", options->no_specification,
+                "Campaign: without the formal specification as third voice");
+  sub->add_flag("--json", options->json, "Campaign: the summary as JSON on standard output");
+}
+
+void define_worker(CommandLine& line) {
+  const auto options = std::make_shared<WorkerOptions>();
+  CLI::App* sub = line.unlisted("fuzz-worker", "A worker of a campaign", [options] { return fuzz_worker(*options); });
+  sub->add_option("--target", options->target)->required();
+  sub->add_option("--work", options->work)->required();
+  sub->add_option("--corpus", options->corpus)->required();
+  sub->add_option("--inputs", options->inputs)->allow_extra_args(false);
+  sub->add_option("--seed", options->seed);
+  sub->add_option("--seconds", options->seconds);
+  sub->add_option("--runs", options->runs);
+  sub->add_option("--controller", options->controller);
+  sub->add_option("--timeout", options->timeout);
+}
+
+void define_specification(CommandLine& line) {
+  const auto options = std::make_shared<SpecificationWorkerOptions>();
+  CLI::App* sub = line.unlisted("fuzz-specification", "The third voice of a campaign",
+                                [options] { return fuzz_specification(*options); });
+  sub->add_option("--target", options->targets)->allow_extra_args(false);
+  sub->add_option("--work", options->work)->required();
+  sub->add_option("--corpus", options->corpus)->required();
+  sub->add_option("--asked", options->asked)->required();
+  sub->add_option("--seed", options->seed);
+  sub->add_option("--seconds", options->seconds);
+}
+
+void define_settle(CommandLine& line) {
+  const auto options = std::make_shared<SettleOptions>();
+  CLI::App* sub = line.unlisted("fuzz-settle", "A sighting looked at", [options] { return fuzz_settle(*options); });
+  sub->add_option("--campaign", options->campaign)->required();
+  sub->add_option("--target", options->target)->required();
+  sub->add_option("--as-seen", options->as_seen);
+  sub->add_option("--timeout", options->timeout);
+  sub->add_option("file", options->file)->required();
+}
+
+}  // namespace
+
+void define_fuzzing(CommandLine& line) {
+  define_fuzz(line);
+  define_worker(line);
+  define_specification(line);
+  define_settle(line);
+}
+
+}  // namespace toolcomp::cli

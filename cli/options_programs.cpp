@@ -1,0 +1,90 @@
+// Verbs for one program: run, diff, explain, view, serve.
+#include <map>
+#include <memory>
+#include <string>
+
+#include "cli/command_line.h"
+#include "cli/options.h"
+#include "cli/verbs.h"
+
+namespace toolcomp::cli {
+namespace {
+
+const std::map<std::string, EngineName> kEngines{{"model", EngineName::model}, {"fast", EngineName::fast}};
+// Whether the second is the formal specification.
+const std::map<std::string, bool> kPairs{{"model,fast", false}, {"model,spec", true}};
+const std::map<std::string, EngineName> kServed{
+    {"model", EngineName::model}, {"fast", EngineName::fast}, {"spec", EngineName::specification}};
+const std::map<std::string, Format> kFormats{{"jsonl", Format::jsonl},
+                                             {"csv", Format::csv},
+                                             {"gcode", Format::gcode},
+                                             {"svg", Format::svg},
+                                             {"html", Format::html}};
+constexpr int kMostDigits = 1000;
+
+void define_run(CommandLine& line) {
+  const auto options = std::make_shared<RunOptions>();
+  CLI::App* sub = line.verb("run", "Run a program and print its events", [options] { return run(*options); });
+  take_program(sub, options->program, options->setup);
+  choose(sub, "--engine", options->engine, kEngines, "model (exact) or fast");
+  choose(sub, "--format", options->format, kFormats,
+         "jsonl, csv, gcode (ends of blocks; with --samples, also inside), svg or html (a page to step through)");
+  take(sub, "--digits", options->digits, "N", "Decimals the model prints", 0, kMostDigits);
+  take_samples(sub, options->samples);
+  take_jobs(sub, options->jobs);
+}
+
+void define_diff(CommandLine& line) {
+  const auto options = std::make_shared<DiffOptions>();
+  CLI::App* sub =
+      line.verb("diff", "Model against fast; the first difference explained", [options] { return diff(*options); });
+  take_program(sub, options->program, options->setup);
+  take_samples(sub, options->samples);
+  take_jobs(sub, options->jobs);
+  choose(sub, "--engines", options->specification, kPairs,
+         "model,fast (default), or model,spec: the formal specification in its place");
+}
+
+void define_explain(CommandLine& line) {
+  const auto options = std::make_shared<ExplainOptions>();
+  CLI::App* sub = line.verb("explain", "Block by block: clauses, decisions, exact and double values",
+                            [options] { return explain(*options); });
+  take_program(sub, options->program, options->setup);
+  take(sub, "--block", options->block, "N", "Only the block with this sequence number, or on this line if none has it");
+  take(sub, "--digits", options->digits, "N", "Decimals printed", 0, kMostDigits);
+  take_samples(sub, options->samples);
+}
+
+void define_view(CommandLine& line) {
+  constexpr int kLastPort = 65535;
+  const auto options = std::make_shared<ViewOptions>();
+  CLI::App* sub = line.verb("view", "A page to step through a program: blocks, drawing, clauses and exact numbers",
+                            [options] { return view(*options); });
+  take_program(sub, options->program, options->setup);
+  take(sub, "--out", options->out, "FILE", "The page (default: the program's name with .html, here); - prints it");
+  CLI::Option* const serve = sub->add_flag(
+      "--serve", options->serve, "Serve it on 127.0.0.1 instead, again whenever the program or its setup changes");
+  take(sub, "--port", options->port, "N", "The port of --serve; 0: any (default: 8600, or any)", 0, kLastPort)
+      ->needs(serve);
+  take_samples(sub, options->samples);
+  take(sub, "--digits", options->digits, "N", "Decimals of exact numbers", 0, kMostDigits);
+}
+
+void define_serve(CommandLine& line) {
+  const auto engine = std::make_shared<EngineName>(EngineName::fast);
+  CLI::App* sub = line.verb("serve", "Speak the controller protocol on standard input and output",
+                            [engine] { return serve(*engine); });
+  choose(sub, "--engine", *engine, kServed, "model, fast or spec (the formal specification)")->required();
+}
+
+}  // namespace
+
+void define_programs(CommandLine& line) {
+  define_run(line);
+  define_diff(line);
+  define_explain(line);
+  define_view(line);
+  define_serve(line);
+}
+
+}  // namespace toolcomp::cli

@@ -1,0 +1,45 @@
+// Verbs for a shell and for the build: completion, and the making of manual pages.
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "cli/command_line.h"
+#include "cli/completion.h"
+#include "cli/manual.h"
+#include "cli/options.h"
+#include "cli/verbs.h"
+
+namespace toolcomp::cli {
+namespace {
+
+void define_completion(CommandLine& line) {
+  const auto shell = std::make_shared<std::string>();
+  CLI::App* sub = line.verb("completion", "Print the completion script of a shell", [shell] {
+    std::cout << completion_script(*shell);
+    return kAgrees;
+  });
+  choose(sub, "shell", *shell, {"bash", "zsh", "fish"}, "bash, zsh or fish")->required();
+}
+
+void define_manual(CommandLine& line) {
+  struct Wanted {
+    std::string date;
+    std::string folder;
+  };
+  const auto wanted = std::make_shared<Wanted>();
+  CLI::App* sub = line.unlisted("manual", "Write the manual pages", [wanted, &line] {
+    write_manual(line, wanted->date, wanted->folder);
+    return kAgrees;
+  });
+  take(sub, "folder", wanted->folder, "FOLDER", "Where they go")->required();
+  take(sub, "--date", wanted->date, "DATE", "Their date, as 2026-01-31")->required();
+}
+
+}  // namespace
+
+void define_shell(CommandLine& line) {
+  define_completion(line);
+  define_manual(line);
+}
+
+}  // namespace toolcomp::cli
