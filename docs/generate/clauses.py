@@ -25,6 +25,16 @@ PROVENANCE = {
     "ours": "our definition: no source says",
 }
 
+# On what an open clause rests, in a table.
+REASONS = {
+    "manual": "the manual's words, which leave room",
+    "sister-manual": "a sister manual",
+    "other-vendor": "another vendor",
+    "recollection": "recollection",
+    "geometry": "geometry",
+    "ours": "no source: ours",
+}
+
 
 @functools.cache
 def places():
@@ -99,14 +109,15 @@ def listing(section):
 
 
 def open_points(section):
-    """The open clauses of a section in short: what we do, and what else it could be."""
-    lines = ["| open point | our definition | alternatives |", "|---|---|---|"]
+    """The open clauses of a section in short: what we do, on what that rests, and what else it could be."""
+    lines = ["| open point | our definition | it rests on | alternatives |", "|---|---|---|---|"]
     for clause in clauses(section):
         if clause["kind"] != "open":
             continue
         first = re.split(r"(?<=[.:]) (?=[A-Z])", clause["text"])[0]
         others = [a for a in clause.get("alternatives", []) if a != "None known."]
-        cells = [f"[`{clause['id'].split('.', 1)[1]}`](#{clause['id']})", first, " / ".join(others) or "–"]
+        cells = [f"[`{clause['id'].split('.', 1)[1]}`](#{clause['id']})", first, REASONS[clause["source"]["provenance"]],
+                 " / ".join(others) or "–"]
         lines.append("| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |")
     return "\n".join(lines)
 

@@ -11,8 +11,9 @@ def mathml(tex, display):
     markup = re.search(r"<markup>\n(.*)\n</markup>", done, re.S)
     if not markup:
         raise ValueError(f"{tex}: {done}")
+    markup = re.sub(r"(<mo[^>]*>)-(</mo>)", r"\1−\2", markup[1])  # a minus, not a hyphen
     style = ' display="block"' if display else ""
-    return f'<math xmlns="http://www.w3.org/1998/Math/MathML"{style}>{markup[1]}</math>'
+    return f'<math xmlns="http://www.w3.org/1998/Math/MathML"{style}>{markup}</math>'
 
 
 def formulas(text):

@@ -17,6 +17,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from blocks import blocks  # noqa: E402
@@ -52,6 +53,11 @@ class Shown:
             words.pop(0)
         if not words:
             return None
+        filters = [word for word in words if re.match("--gtest_filter=.", word)]
+        program = self.source / words[0]
+        if filters and program.is_file():
+            listed = subprocess.run([program, "--gtest_list_tests", *filters], capture_output=True, text=True, check=False)
+            return None if re.search(r"^  ", listed.stdout, re.M) else f"no test of {words[0]} is {filters[0]}"
         name = words[0].rsplit("/", 1)[-1] if not words[0].startswith(("tests/", "engines/")) else words[0]
         if name in ("toolcomp", "dev") and len(words) > 1:
             verb = words[1]
@@ -89,7 +95,7 @@ class Page:
     def __init__(self, shown, file, folder):
         self.shown, self.file, self.folder = shown, file, pathlib.Path(folder)
         self.text = (shown.source / file).read_text()
-        self.faults, self.ran, self.looked_up = [], 0, []
+        self.faults, self.ran, self.looked_up, self.seconds = [], 0, [], []
 
     def fault(self, line, text):
         self.faults.append(f"{self.file}:{line}: {text}")
@@ -164,12 +170,14 @@ class Page:
 
     def command(self, line, command, output, status):
         self.ran += 1
+        begun = time.monotonic()
         try:
             done = subprocess.run(["/bin/bash", "-c", command], cwd=self.folder, env=self.shown.environment(self.folder),
                                   stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=PATIENCE, check=False)
         except subprocess.TimeoutExpired:
             self.fault(line, f"{command}: longer than {PATIENCE} s")
             return
+        self.seconds.append((time.monotonic() - begun, f"{self.file}:{line}: {command}"))
         if done.returncode != status:
             self.fault(line, f"{command}: exit status {done.returncode}, not {status}\n{done.stdout[-1500:]}{done.stderr[-1500:]}")
         elif output is not None and not matches(output, done.stdout):
@@ -183,7 +191,7 @@ class Page:
     def sentences(self):
         """Commands within sentences and tables: verbs and options."""
         prose = re.sub(r"^```.*?^```", lambda m: "\n" * m[0].count("\n"), self.text, flags=re.M | re.S)
-        for match in re.finditer(r"`((?:toolcomp|\./dev) [^`\n]+)`", prose):
+        for match in re.finditer(r"`((?:[A-Z_]+=\S+ )?(?:toolcomp|\./dev|build/release/\w+) [^`\n]+)`", prose):
             self.look_up(prose[:match.start()].count("\n") + 1, match[1])
 
 
@@ -217,6 +225,8 @@ def main():
     ran, looked_up = sum(page.ran for page in done), [entry for page in done for entry in page.looked_up]
     print(f"{len(done)} pages, {ran} commands run, {len(looked_up)} looked up:")
     print("\n".join(looked_up))
+    print("slowest:")
+    print("\n".join(f"{seconds:5.1f} s {command}" for seconds, command in sorted(s for page in done for s in page.seconds)[:-8:-1]))
     if ran == 0:
         print("nothing was run")
     return 1 if ran == 0 or any(page.faults for page in done) else 0
