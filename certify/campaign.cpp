@@ -92,7 +92,7 @@ class Campaign {
   Certificate run() {
     certificate_.self_check = self_check();
     identify();
-    const std::unique_ptr<Subject> first = subject_of(options_.controller, options_.timeout, options_.reply_limit);
+    const std::unique_ptr<Subject> first = new_subject();
     const auto capabilities = first->capabilities();
     if (const auto* failure = std::get_if<Fault>(&capabilities)) {
       if (why_to_stop().empty()) cannot_be_asked(*first, *failure);
@@ -136,6 +136,11 @@ class Campaign {
     Asked<std::size_t> asked;  // by index
     std::vector<model::ClauseCount> clauses = std::vector<model::ClauseCount>(spec::kClauseCount);
   };
+
+  std::unique_ptr<Subject> new_subject() const {
+    return options_.subject ? options_.subject()
+                            : subject_of(options_.controller, options_.timeout, options_.reply_limit);
+  }
 
   std::string why_to_stop() {
     std::string why = options_.stop ? options_.stop() : std::string();
@@ -218,8 +223,7 @@ class Campaign {
     std::vector<std::jthread> helpers;
     for (unsigned job = 1; job < options_.jobs; ++job)
       helpers.emplace_back([this] {
-        const std::unique_ptr<Subject> subject =
-            subject_of(options_.controller, options_.timeout, options_.reply_limit);
+        const std::unique_ptr<Subject> subject = new_subject();
         work(*subject);
       });
     work(first);

@@ -4,11 +4,13 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "certify/case_result.h"
 #include "certify/certificate.h"
+#include "certify/subject.h"
 #include "spec/language/case.h"
 
 namespace toolcomp::certify {
@@ -27,6 +29,8 @@ struct JudgedCase {
 
 struct CampaignOptions {
   std::string controller;             // command; empty: the fast engine in this process
+  // Makes what is judged instead of the command, which then is its name alone; one for each job.
+  std::function<std::unique_ptr<Subject>()> subject;
   std::vector<std::string> sections;  // of the generated cases; empty: every section that is built
   std::vector<CaseInput> cases;       // judged first
   std::uint32_t generated = 1000;     // cases a section (certify/selection.h)

@@ -1,12 +1,12 @@
 // A difference, for people.
 #pragma once
 
-#include "cli/called_files.h"
+#include "certify/input/called_files.h"
 #include "fuzz/oracle/verdict.h"
 
 namespace toolcomp::cli {
 
 // What differs at a place, the two values, and the clause in words, on standard output.
-void print_difference(const fuzz::Difference& difference, const Place& place);
+void print_difference(const fuzz::Difference& difference, const certify::input::Place& place);
 
 }  // namespace toolcomp::cli

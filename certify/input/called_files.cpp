@@ -1,4 +1,4 @@
-#include "cli/called_files.h"
+#include "certify/input/called_files.h"
 
 #include <iterator>
 #include <optional>
@@ -7,7 +7,7 @@
 #include "spec/language/fanuc/program_files.h"
 #include "spec/language/heidenhain/joined_program.h"
 
-namespace toolcomp::cli {
+namespace toolcomp::certify::input {
 
 namespace fs = std::filesystem;
 
@@ -31,4 +31,4 @@ Place CalledFiles::place(std::uint64_t line, std::uint64_t column) const {
   return {file.string(), line - first + 1, column};
 }
 
-}  // namespace toolcomp::cli
+}  // namespace toolcomp::certify::input

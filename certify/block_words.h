@@ -1,4 +1,4 @@
-// What `toolcomp explain` says of a block besides its clauses and decisions: in words, with exact figures.
+// What an explanation says of a block besides its clauses and decisions: in words, with exact figures.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 #include "model/basis/event.h"
 #include "spec/language/setup.h"
 
-namespace toolcomp::cli {
+namespace toolcomp::certify {
 
 // The corner at the end of the block whose own move is events[own]: its heads and vectors (X Y Z as they differ from
 // the programmed corner), and the line of the block they lead to. Empty where there is no compensation vector.
@@ -18,4 +18,4 @@ std::string corner_words(std::span<const model::Event> events, std::size_t own, 
 // in setup units a minute): ERRmax = Fm/60 * Ts/1000 with Ts = 2 ms, Qmax = Fm/60 * 16/1000.
 std::string measuring_words(const spec::Setup& setup, int digits);
 
-}  // namespace toolcomp::cli
+}  // namespace toolcomp::certify

@@ -10,7 +10,7 @@
 #include "spec/language/reader_options.h"
 #include "spec/language/setup.h"
 
-namespace toolcomp::cli {
+namespace toolcomp::certify::input {
 
 struct Place {
   std::string file;
@@ -34,4 +34,4 @@ class CalledFiles {
   std::map<std::uint64_t, std::filesystem::path> begins_;  // by the first line in the joined text
 };
 
-}  // namespace toolcomp::cli
+}  // namespace toolcomp::certify::input

@@ -1,11 +1,11 @@
-#include "cli/explanation.h"
+#include "certify/block_words.h"
 
 #include <fmt/format.h>
 
 #include "model/basis/number.h"
 #include "model/basis/print.h"
 
-namespace toolcomp::cli {
+namespace toolcomp::certify {
 namespace {
 
 using exact::Rational;
@@ -73,4 +73,4 @@ std::string measuring_words(const spec::Setup& setup, int digits) {
       text(a_second * Rational(16, 1000), digits));
 }
 
-}  // namespace toolcomp::cli
+}  // namespace toolcomp::certify

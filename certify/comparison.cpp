@@ -1,0 +1,59 @@
+#include "certify/comparison.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <system_error>
+#include <variant>
+
+#include "certify/subject.h"
+#include "formal/engine.h"
+#include "fuzz/oracle/trial.h"
+#include "fuzz/parallel/judge_in_pieces.h"
+#include "spec/language/input_error.h"
+
+namespace toolcomp::certify {
+namespace {
+
+// Laws are asked with all events at hand: of programs up to this size, and not of what can be read only once.
+constexpr std::uintmax_t kLargestForLaws = 1 << 20;  // bytes
+
+std::uintmax_t size_of(const input::Program& program) {
+  if (program.is_case()) return program.as_case().program.size();
+  std::error_code unknown;
+  const std::uintmax_t size = std::filesystem::file_size(program.path(), unknown);
+  return unknown ? kLargestForLaws + 1 : size;
+}
+
+std::uint64_t ask_laws(const input::Program& program, fuzz::Verdict& verdict) {
+  if (verdict.outcome != fuzz::Outcome::agrees && verdict.outcome != fuzz::Outcome::nothing_judged) return 0;
+  if (program.text().once || size_of(program) > kLargestForLaws) return 0;
+  const spec::Case c = program.as_case();
+  return fuzz::hold_laws(c, fuzz::run_model(c), verdict);
+}
+
+}  // namespace
+
+Comparison compare_fast(const input::Program& program, unsigned jobs, void (*on_block)(std::uint64_t)) {
+  Comparison result;
+  try {
+    fuzz::JudgeInPieces pieces;
+    pieces.jobs = jobs;
+    result.verdict = fuzz::judge_in_pieces(program.text(), program.setup(), program.samples(), pieces, on_block);
+  } catch (const spec::InputError& error) {
+    throw program.placed(error);
+  }
+  result.questions = ask_laws(program, result.verdict);
+  return result;
+}
+
+Judgement compare_specification(const input::Program& program) {
+  if (!formal::available())
+    throw spec::InputError("--engines", 0, 0, "this toolcomp was built without the formal specification");
+  const spec::Case c = program.as_case();
+  const fuzz::ModelRun run = fuzz::run_model(c);
+  const auto specification = formal_specification();
+  const auto able = std::get<Capabilities>(specification->capabilities());
+  return judge_case(*specification, able, c, run);
+}
+
+}  // namespace toolcomp::certify

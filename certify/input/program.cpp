@@ -1,0 +1,175 @@
+#include "certify/input/program.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <system_error>
+#include <thread>
+
+#include "fuzz/oracle/control.h"
+#include "spec/language/byte_source.h"
+#include "spec/language/case_format.h"
+#include "spec/language/document.h"
+#include "spec/language/fanuc/program_reader.h"
+#include "spec/language/heidenhain/joined_program.h"
+#include "spec/language/setup_format.h"
+
+namespace toolcomp::certify::input {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_json(const std::string& path) { return fs::path(path).extension() == ".json"; }
+
+// A program begins with anything but `{`; blanks and line feeds may stand before it.
+bool begins_with_brace(const std::string& path) {
+  const auto source = spec::file_source(path);
+  std::array<char, 4096> buffer{};
+  const std::size_t size = source->read(buffer.data(), buffer.size());
+  for (std::size_t i = 0; i < size; ++i)
+    if (std::string_view(" \t\r\n").find(buffer[i]) == std::string_view::npos) return buffer[i] == '{';
+  return false;
+}
+
+std::string setup_beside(const std::string& path) {
+  const fs::path beside = fs::path(path).parent_path() / "setup.toml";
+  if (path == "-" || !fs::exists(beside))
+    throw spec::InputError(path, 0, 0, "a program needs --setup, or a setup.toml beside it");
+  return beside.string();
+}
+
+// Where the key of a message such as "parameters.19682: …" stands in the text of a setup; where it does not, what it
+// would stand in.
+spec::document::Position place_of(const spec::document::Node& root, std::string_view message) {
+  spec::document::Position at = root.at;
+  const spec::document::Node* node = &root;
+  std::string_view key = message.substr(0, message.find(':'));
+  while (!key.empty()) {
+    std::string name(key.substr(0, key.find('.')));
+    key.remove_prefix(std::min(key.size(), name.size() + 1));
+    std::erase(name, '"');
+    const auto member = std::ranges::find(node->members, name, &spec::document::Member::name);
+    if (member == node->members.end()) break;
+    at = member->at;
+    node = &member->value;
+  }
+  return at;
+}
+
+template <class Number>
+struct Nothing final : spec::EventSink<Number> {
+  void on(const spec::Event<Number>& /*event*/) override {}
+};
+
+}  // namespace
+
+spec::Setup read_setup(const std::string& path) { return read_setup_text(spec::read_file(path), path, is_json(path)); }
+
+spec::Setup read_setup_text(const std::string& text, const std::string& name, bool json) {
+  spec::Setup setup = json ? spec::read_setup_json(text, name) : spec::read_setup_toml(text, name);
+  try {
+    check_setup(setup);
+  } catch (const spec::InputError& error) {
+    // The engines know the key at fault, not the file.
+    if (error.file() != "setup") throw;
+    const auto root = json ? spec::document::parse_json(text, name) : spec::document::parse_toml(text, name);
+    const auto at = place_of(root, error.message());
+    throw spec::InputError(name, at.line, at.column, error.message());
+  }
+  return setup;
+}
+
+void check_setup(const spec::Setup& setup) {
+  model::Recorder recorder;
+  Nothing<exact::Real> exact_sink;
+  Nothing<double> fast_sink;
+  fuzz::with_control(setup, [&]<class Control>(Control) {
+    const auto model = Control::model(setup, recorder, exact_sink, 0);
+    const auto fast = Control::fast(setup, fast_sink, 0);
+  });
+}
+
+// Standard input cannot be looked at twice: it is always a program.
+Program::Program(const std::string& path, const std::string& setup, std::optional<std::uint32_t> samples)
+    : path_(path), is_case_(path != "-" && (is_json(path) || begins_with_brace(path))) {
+  if (is_case_) {
+    if (!setup.empty()) refuse_setup();
+    case_ = spec::read_case(spec::read_file(path), path);
+    if (samples) case_.samples = *samples;
+  } else {
+    take(read_setup(setup.empty() ? setup_beside(path) : setup), samples);
+  }
+  called_ = std::make_unique<CalledFiles>(path, case_.setup.control);
+}
+
+Program::Program(const std::string& path, const spec::Setup& setup, std::optional<std::uint32_t> samples)
+    : path_(path) {
+  if (path != "-" && (is_json(path) || begins_with_brace(path))) refuse_setup();
+  take(setup, samples);
+  called_ = std::make_unique<CalledFiles>(path, case_.setup.control);
+}
+
+Program::Program(std::string name, spec::Case c)
+    : path_(std::move(name)),
+      case_(std::move(c)),
+      is_case_(true),
+      called_(std::make_unique<CalledFiles>(path_, case_.setup.control)) {}
+
+void Program::refuse_setup() const {
+  throw spec::InputError(path_, 0, 0, "a case brings its own setup; leave out --setup");
+}
+
+void Program::take(spec::Setup setup, std::optional<std::uint32_t> samples) {
+  case_.setup = std::move(setup);
+  case_.dialect = spec::dialect_of(case_.setup.control);
+  case_.id = path_;
+  if (samples) case_.samples = *samples;
+}
+
+fuzz::StreamedProgram Program::text() const {
+  return {[this] { return is_case_ ? spec::text_source(case_.program) : spec::file_source(path_); }, path_ == "-",
+          spec::display_name(path_), is_case_ ? spec::CalledProgram() : called_->finder()};
+}
+
+spec::Case Program::as_case() const {
+  spec::Case whole = case_;
+  if (is_case_) return whole;
+  whole.program = spec::read_file(path_);
+  const spec::CalledProgram called = called_->finder();
+  if (!called) return whole;
+  whole.program =
+      case_.setup.control == spec::Control::heidenhain
+          ? spec::klartext::joined_klartext(whole.program, called)
+          : spec::joined_program(whole.program, case_.setup.axes,
+                                 {.file = path_, .block_skip = case_.setup.block_skip, .called_program = called});
+  return whole;
+}
+
+Place Program::place(std::uint64_t line, std::uint64_t column) const { return called_->place(line, column); }
+
+spec::InputError Program::placed(const spec::InputError& error) const {
+  if (error.line() == 0 || error.file() != spec::display_name(path_)) return error;
+  const Place at = place(error.line(), error.column());
+  return {at.file == path_ ? error.file() : at.file, at.line, at.column, error.message()};
+}
+
+unsigned jobs_for(const Program& program, unsigned asked) {
+  constexpr std::uintmax_t worth_it = 1 << 18;  // bytes
+  if (program.text().once || program.is_case()) return 1;
+  std::error_code unknown;
+  const std::uintmax_t size = fs::file_size(program.path(), unknown);
+  if (unknown || size < worth_it) return 1;
+  return asked != 0 ? asked : std::max(1U, std::thread::hardware_concurrency());
+}
+
+void expect_readable(const spec::Case& c, const std::string& name) {
+  Nothing<double> nowhere;
+  fuzz::with_control(c.setup, [&]<class Control>(Control) {
+    auto engine = Control::fast(c.setup, nowhere, 0);
+    auto reader = Control::reader(spec::text_source(c.program), c.setup, name);
+    typename Control::Block block;
+    while (!engine.stopped() && reader.next(block)) engine.block(block);
+  });
+}
+
+}  // namespace toolcomp::certify::input
