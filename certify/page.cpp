@@ -50,13 +50,16 @@ std::string joined(std::span<const std::string_view> pieces) {
 
 }  // namespace
 
-std::string page(std::string_view title, std::string_view body) {
-  std::string out = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n";
+std::string page(std::string_view title, std::string_view body, const PageOptions& options) {
+  std::string out = "<!DOCTYPE html>\n<html lang=\"en\"";
+  if (!options.live.empty()) out += " data-live=\"" + escape(options.live) + "\"";
+  out += ">\n<head>\n<meta charset=\"utf-8\"/>\n<meta name=\"generator\" content=\"toolcomp\"/>\n";
   out += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n";
-  out += R"(<meta http-equiv="Content-Security-Policy" content=")" + std::string(kPolicy) + "\"/>\n";
-  const bool moves = has_view(body);
+  out += R"(<meta http-equiv="Content-Security-Policy" content=")" + std::string(kPolicy) +
+         (options.live.empty() ? "" : "; connect-src 'self'") + "\"/>\n";
+  const bool moves = has_view(body) || !options.live.empty();
   out += "<title>" + escape(title) + "</title>\n<style>" + std::string(kStyle) + (moves ? joined(view_style()) : "") +
-         "</style>\n</head>\n<body>\n";
+         "</style>\n</head>\n<body" + (options.fills_window ? " class=\"fills\"" : "") + ">\n";
   out += body;
   if (moves) out += "<script>" + joined(view_script()) + "</script>\n";
   return out + "</body>\n</html>\n";

@@ -8,8 +8,14 @@
 
 namespace toolcomp::certify {
 
+// How a page differs from the usual one, which asks for nothing from anywhere.
+struct PageOptions {
+  bool fills_window = false;  // as wide and as high as there is room
+  std::string live;           // served: what its server calls this state of it (docs/view.md); empty: a file
+};
+
 // The page around `body`, which is HTML. `title` is text.
-std::string page(std::string_view title, std::string_view body);
+std::string page(std::string_view title, std::string_view body, const PageOptions& options = {});
 
 // A table of HTML cells; the first row is the header. Columns from `numbers_from` on are numbers, aligned right.
 using Row = std::vector<std::string>;

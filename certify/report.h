@@ -45,9 +45,6 @@ std::string json_report(const TraceReport& report);
 std::string sarif_report(const TraceReport& report);
 void write_report(const TraceReport& report, const std::filesystem::path& folder);
 
-// A page that shows one run of `c`, block by block.
-std::string html_run(const spec::Case& c, const std::vector<spec::Event<double>>& events, const PathOptions& drawing);
-
 // The name of a finding's file: "01-hang.json".
 std::string file_name(const Finding& finding, std::size_t index);
 // One or two sentences on what differs.

@@ -332,12 +332,4 @@ std::string html_report(const Certificate& certificate) {
                                                                    clauses(certificate));
 }
 
-std::string html_run(const spec::Case& c, const std::vector<spec::Event<double>>& events, const PathOptions& drawing) {
-  const std::string name = c.id.empty() ? "program" : c.id;
-  return page("toolcomp run: " + name, "<h1>" + escape(name) + "</h1>\n" +
-                                           view("Program " + name, c, view_run(c, events), {drawing, {}},
-                                                path_svg(events, c.setup.axes, drawing)) +
-                                           listing(c.program, 0));
-}
-
 }  // namespace toolcomp::certify

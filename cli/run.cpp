@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "certify/path_svg.h"
-#include "certify/report.h"
 #include "cli/event_text.h"
+#include "cli/manners.h"
 #include "cli/program.h"
+#include "cli/program_page.h"
 #include "cli/run_in_pieces.h"
 #include "cli/verbs.h"
 #include "fast/basis/print.h"
@@ -204,18 +205,26 @@ struct Collector final : spec::EventSink<Number> {
   }
 };
 
-bool is_drawn(Format format) { return format == Format::svg || format == Format::html; }
-
-// The path as a picture, or a page with it.
+// The path as a picture.
 template <class Number>
-int draw(const Program& program, const Collector<Number>& run, Format format) {
+int draw(const Program& program, const Collector<Number>& run) {
   certify::PathOptions options = certify::path_options(program.setup());
   if (!run.unit.empty()) options.unit = run.unit;
-  if (format == Format::svg)
-    std::cout << certify::path_svg(run.events, program.setup().axes, options) << '\n';
-  else
-    std::cout << certify::html_run(program.as_case(), run.events, options);
+  std::cout << certify::path_svg(run.events, program.setup().axes, options) << '\n';
   return run.undecided ? kUndecided : kAgrees;
+}
+
+// The page of `view`; with the fast engine, its path beside the exact one.
+int print_page(const RunOptions& options) {
+  ViewOptions shown;
+  shown.program = options.program;
+  shown.setup = options.setup;
+  shown.samples = options.samples;
+  shown.digits = options.digits;
+  const ProgramPage page = program_page(shown, {}, options.engine == EngineName::fast, [] {});
+  std::cout << page.html;
+  for (const std::string& alarm : page.alarms) std::cerr << alarm << '\n';
+  return page.undecided ? kUndecided : kAgrees;
 }
 
 // The start of the setup, linear axes, by way of `number`.
@@ -234,20 +243,21 @@ spec::AxisValues<Number> start_of(const spec::Setup& setup, NumberOf number) {
 }  // namespace
 
 int run(const RunOptions& options) {
-  // Its page shows the program too.
-  if (options.format == Format::html && options.program == "-")
-    throw spec::InputError("toolcomp run", 0, 0, "--format html needs the program as a file");
+  say_what_is_read(options.program, options.setup);
+  if (options.format == Format::html) return print_page(options);
   const Program program(options.program, options.setup, options.samples);
   // Of the fast engine printing alone can go beside it, and handing events over costs as much: only where it is asked.
   const bool one = options.engine == EngineName::fast && options.jobs == 0;
   const unsigned jobs = one ? 1 : jobs_for(program, options.jobs);
+  detail(std::string(options.engine == EngineName::fast ? "engine fast, double" : "engine model, exact") + "; " +
+         std::to_string(jobs) + (jobs == 1 ? " processor" : " processors"));
   if (jobs > 1 && runs_in_pieces(options.format)) return run_in_pieces(program, options, jobs);
   if (options.engine == EngineName::fast) {
     FastNumber append;
-    if (is_drawn(options.format)) {
+    if (options.format == Format::svg) {
       Collector<double> sink(program);
       feed_fast(program, sink);
-      return draw(program, sink, options.format);
+      return draw(program, sink);
     }
     const auto start =
         start_of<double>(program.setup(), [](const spec::Decimal& d) { return std::stod(spec::to_string(d)); });
@@ -256,10 +266,10 @@ int run(const RunOptions& options) {
     return sink.status();
   }
   model::Recorder recorder;
-  if (is_drawn(options.format)) {
+  if (options.format == Format::svg) {
     Collector<exact::Real> sink(program);
     feed_model(program, recorder, sink);
-    return draw(program, sink, options.format);
+    return draw(program, sink);
   }
   ModelNumber append{options.digits};
   const auto start =

@@ -51,6 +51,17 @@ struct ExplainOptions {
 };
 int explain(const ExplainOptions& options);
 
+struct ViewOptions {
+  std::string program;
+  std::string setup;
+  std::string out;                       // empty: the program's name with .html; "-": standard output
+  bool serve = false;                    // on 127.0.0.1, again whenever program or setup change
+  std::optional<std::uint16_t> port;     // 0: any; without: the usual one, or any
+  std::optional<std::uint32_t> samples;  // instead of those of a case
+  int digits = 15;
+};
+int view(const ViewOptions& options);
+
 struct CertifyOptions {
   std::string controller;
   std::string trace;

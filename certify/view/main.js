@@ -1,4 +1,6 @@
-// Brings the views of a page to life, each when it is first seen. Where there is no WebGL the pictures stay.
+// Brings the views of a page to life, each when it is first seen. Where there is no WebGL the pictures stay; a page of a
+// program then has its blocks beside them.
+import { Live } from './live.js';
 import { Panel } from './panel.js';
 import { Run } from './run.js';
 import { canDraw } from './space.js';
@@ -8,8 +10,11 @@ function start(figure) {
   new Panel(figure, new Run(data));
 }
 
-const figures = document.querySelectorAll('figure.view');
-if (canDraw()) {
+const program = document.querySelector('figure.view[data-program]');
+const figures = document.querySelectorAll('figure.view:not([data-program])');
+if (program) start(program);
+else if (document.documentElement.dataset.live) new Live(() => null);
+if (canDraw() && figures.length) {
   const seen = new IntersectionObserver(
     (entries) => {
       for (const entry of entries) {

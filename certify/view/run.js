@@ -1,4 +1,5 @@
 // A run as the page has it (view.cpp): its courses step by step, and what is measured on them. Points are [x, y, z].
+import { Program } from './program.js';
 
 export const plus = (a, k, b) => [a[0] + k * b[0], a[1] + k * b[1], a[2] + k * b[2]];
 export const minus = (a, b) => plus(a, -1, b);
@@ -10,8 +11,22 @@ const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
 // The courses in the order in which they are drawn.
 export const COURSES = ['programmed', 'axes', 'point', 'other'];
 
+// The blocks to step through: those of the program, or each step by itself. `steps`: what comes of it, by number;
+// `last`: the step behind which the machine is when the block is done, -1 before the first.
+function blocksOf({ program, steps }) {
+  if (!program) return steps.map((step, i) => ({ line: step.line, n: step.n, steps: [i], last: i }));
+  let last = -1;
+  return program.blocks.map((block) => {
+    const numbers = (block.events ?? []).map((event) => event.step);
+    last = Math.max(last, ...numbers);
+    return { ...block, steps: numbers, last };
+  });
+}
+
 export class Run {
   constructor(data) {
+    this.program = data.program && new Program(data.program);
+    this.blocks = blocksOf(data);
     this.unit = data.unit;
     this.start = data.start;
     this.steps = data.steps;
@@ -29,6 +44,7 @@ export class Run {
     };
     if (!this.has('point')) this.names.programmed = 'programmed and exact';
     this.shown = COURSES.filter((course) => this.has(course));
+    this.tipCourse = this.steps.some((step) => step.point) ? 'point' : 'programmed';
     this.largest = this.largestDeviation();
   }
 
@@ -48,7 +64,7 @@ export class Run {
 
   // Where the tool point is behind a step.
   tip(index) {
-    return this.place(this.steps.some((step) => step.point) ? 'point' : 'programmed', index);
+    return this.place(this.tipCourse, index);
   }
 
   // The points of a step, from where the course was before; null where it does not move. The controller's are as many

@@ -24,6 +24,7 @@ import {
   Color,
   DirectionalLight,
   DoubleSide,
+  Group,
   LatheBufferGeometry,
   Mesh,
   MeshLambertMaterial,
@@ -54,6 +55,13 @@ function renderer() {
 
 export const canDraw = () => renderer() !== null;
 
+function dispose(group) {
+  group.traverse((object) => {
+    if (object.geometry) object.geometry.dispose();
+    if (object.material) object.material.dispose();
+  });
+}
+
 // The largest of 1, 2, 5 · 10^n that is not above x.
 function roundDown(x) {
   const power = 10 ** Math.floor(Math.log10(x));
@@ -65,6 +73,7 @@ export class Space {
   constructor(canvas, run) {
     this.canvas = canvas;
     this.run = run;
+    this.labelled = this.chooseLabels();
     const [low, high] = run.box();
     this.box = [low, high];
     this.center = low.map((x, i) => (x + high[i]) / 2);
@@ -111,8 +120,9 @@ export class Space {
     this.zoom = Math.max(0.2, Math.min(1e6, this.zoom * factor));
   }
 
-  // Everything, with the step `index` selected. `hidden`: names of courses that are not drawn.
-  draw(index, factor, hidden) {
+  // Everything, with the steps `selected` drawn stronger and the tool behind step `index`. `hidden`: names of courses
+  // that are not drawn.
+  draw({ index, selected, factor, hidden }) {
     const ratio = window.devicePixelRatio || 1;
     const width = this.canvas.clientWidth;
     const height = this.canvas.clientHeight;
@@ -121,27 +131,45 @@ export class Space {
     this.canvas.height = Math.round(height * ratio);
     this.resolution = new Vector2(width, height);
     this.style = getComputedStyle(this.canvas);
-    this.scene = new Scene();
-    this.aim(width, height);
-    this.addCourses(index, factor, hidden);
-    this.addRecording(factor);
+    const scene = new Scene();
+    this.aim(scene, width, height);
+    const courses = this.run.shown.filter((course) => !hidden.has(course));
+    scene.add(this.stillLines(courses, factor));
+    this.group = new Group();
+    this.addSelected(courses, index, selected, factor, hidden);
     this.addTool(index);
+    scene.add(this.group);
     const gl = renderer();
     gl.setPixelRatio(ratio);
     gl.setSize(width, height, false);
     gl.setClearColor(0, 0);
-    gl.render(this.scene, this.camera);
+    gl.render(scene, this.camera);
     const paper = this.canvas.getContext('2d');
     paper.drawImage(gl.domElement, 0, 0);
     paper.scale(ratio, ratio);
     this.label(paper, width, height, index);
-    this.scene.traverse((object) => {
-      if (object.geometry) object.geometry.dispose();
-      if (object.material) object.material.dispose();
-    });
+    dispose(this.group);
   }
 
-  aim(width, height) {
+  // What is the same for every step: made anew only where what is seen of it changes.
+  stillLines(courses, factor) {
+    const colours = [...courses, 'recorded', 'off'].map((name) => this.style.getPropertyValue(`--view-${name}`));
+    const key = JSON.stringify([courses, factor, colours]);
+    if (this.stillKey !== key) {
+      if (this.still) dispose(this.still);
+      this.still = new Group();
+      this.stillKey = key;
+      this.group = this.still;
+      this.addCourses(courses, factor);
+      this.addRecording(factor);
+    }
+    this.still.traverse((object) => {
+      if (object.material) object.material.resolution = this.resolution;
+    });
+    return this.still;
+  }
+
+  aim(scene, width, height) {
     const [right, up] = this.paper().map((axis) => new Vector3(...axis));
     const eye = right.clone().cross(up);
     this.camera.up.copy(up);
@@ -153,10 +181,10 @@ export class Space {
     const [dx, dy] = this.shift.map((s) => s * this.perPixel);
     Object.assign(this.camera, { left: -x - dx, right: x - dx, top: y + dy, bottom: -y + dy });
     this.camera.updateProjectionMatrix();
-    this.scene.add(new AmbientLight(0xffffff, 0.65));
+    scene.add(new AmbientLight(0xffffff, 0.65));
     const light = new DirectionalLight(0xffffff, 0.5);
     light.position.copy(eye).add(new Vector3(0.3, 0.2, 0.6));
-    this.scene.add(light);
+    scene.add(light);
   }
 
   colour(name) {
@@ -186,26 +214,28 @@ export class Space {
     const lines = new LineSegments2(geometry, material);
     if (dashed) lines.computeLineDistances();
     lines.frustumCulled = false;
-    lines.renderOrder = this.scene.children.length;
-    this.scene.add(lines);
+    lines.renderOrder = this.group.children.length + (this.group === this.still ? 0 : 100);
+    this.group.add(lines);
   }
 
-  addCourses(index, factor, hidden) {
+  addCourses(courses, factor) {
     const { run } = this;
-    const courses = run.shown.filter((course) => !hidden.has(course));
     for (const course of courses)
       for (const rapid of [true, false]) {
         const lines = run.steps.map((step, i) => (Boolean(step.rapid) === rapid ? run.line(course, i, factor) : null));
         this.addLines(lines.filter(Boolean), course, WIDTH[course], rapid);
       }
-    for (const course of courses) {
-      const line = run.line(course, index, factor);
-      if (line) this.addLines([line], course, WIDTH[course] + 3);
-    }
+  }
+
+  addSelected(courses, index, selected, factor, hidden) {
+    const { run } = this;
+    for (const course of courses)
+      this.addLines(selected.map((i) => run.line(course, i, factor)).filter(Boolean), course, WIDTH[course] + 3);
+    for (const i of selected)
+      if (run.steps[i].programmed && run.steps[i].point)
+        this.addLines([[run.place('programmed', i), run.tip(i)]], 'vector', 3);
     const step = run.steps[index];
-    if (!step) return;
-    if (step.programmed && step.point) this.addLines([[run.place('programmed', index), run.tip(index)]], 'vector', 3);
-    if (step.other && step[run.compared] && !hidden.has('other'))
+    if (step && step.other && step[run.compared] && !hidden.has('other'))
       this.addLines([[run.place(run.compared, index), run.drawn('other', index, factor).slice(-1)[0]]], 'off', 3);
   }
 
@@ -224,9 +254,8 @@ export class Space {
 
   // The tool at the end of the step: turned about its axis, its tip at the tool point.
   addTool(index) {
-    const step = this.run.steps[index];
-    if (!step) return;
-    const shape = this.run.tools[step.tool];
+    if (!this.run.steps.length) return;
+    const shape = this.run.tools[this.run.steps[Math.max(index, 0)].tool];
     const profile = shape ? this.profileOf(shape) : [[0, 0], [0.012, 0.05], [0.012, 0.2], [0, 0.2]].map(
       ([x, y]) => [x * this.size, y * this.size]);
     const geometry = new LatheBufferGeometry(profile.map(([x, y]) => new Vector2(x, y)), 48);
@@ -241,7 +270,7 @@ export class Space {
     tool.position.set(...this.local(this.run.tip(index)));
     tool.quaternion.copy(new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), new Vector3(...this.axis(index))));
     tool.renderOrder = -1;
-    this.scene.add(tool);
+    this.group.add(tool);
   }
 
   // The tool axis in force: that of the step, or the last one before it.
@@ -305,9 +334,15 @@ export class Space {
       [[6, -6], [6, 14], [left, -6], [left, 14]].some(([dx, dy]) => write(text, x + dx, y + dy, colour, weight));
     };
     if (run.steps[index]) mark(index, 'bold');
-    const order = run.steps.map((_, i) => i).filter((i) => i !== index);
-    order.sort((a, b) => Boolean(run.steps[b].alarm) - Boolean(run.steps[a].alarm));
-    for (const i of order.slice(0, MOST_LABELS)) mark(i, '');
+    for (const i of this.labelled) if (i !== index) mark(i, '');
+  }
+
+  // Alarms, and of the other steps so many, spread over all of them.
+  chooseLabels() {
+    const { steps } = this.run;
+    const stride = Math.ceil(steps.length / MOST_LABELS) || 1;
+    const all = steps.map((_, i) => i);
+    return [...all.filter((i) => steps[i].alarm), ...all.filter((i) => !steps[i].alarm && i % stride === 0)];
   }
 
   drawAxes(paper, height, write, soft) {

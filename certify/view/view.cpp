@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -77,8 +78,10 @@ std::string words(const spec::Event<double>& event) {
 class ViewData {
  public:
   ViewData(const spec::Case& c, const ViewRun& run, const ViewOptions& options)
-      : run_(run),
+      : c_(c),
+        run_(run),
         options_(options),
+        step_of_(run.events.size(), SIZE_MAX),
         text_(fuzz::lines(c.program)),
         shapes_(shapes_of(c)),
         programmed_(follow(c.setup.axes, options.path.start, run.events, PathOf::programmed)),
@@ -99,6 +102,9 @@ class ViewData {
     json["steps"] = steps();
     json["more"] = more_;
     if (marked_) json["marked"] = *marked_;
+    if (options_.program != nullptr)
+      json["program"] =
+          program_data(c_, *options_.program, step_of_, [this](spec::Clause clause) { return number_of(clause); });
     json["clauses"] = std::move(clauses_);
     json["tools"] = std::move(tools_);
     if (!options_.recorded.empty()) {
@@ -130,10 +136,11 @@ class ViewData {
     for (std::size_t i = 0; i < run_.events.size(); ++i) {
       const spec::Event<double>& event = run_.events[i];
       if (event.kind == spec::EventKind::sample) continue;
-      if (steps.size() == kMostSteps) {
+      if (is_left_out(i, steps.size())) {
         ++more_;
         continue;
       }
+      step_of_[i] = steps.size();
       // A sample that differs is marked at the move it leads to.
       if (options_.path.marked && !marked_ && *options_.path.marked <= i) marked_ = steps.size();
       Json step = step_of(event);
@@ -153,11 +160,16 @@ class ViewData {
     return steps;
   }
 
+  // A page has so many blocks, a view without blocks so many steps.
+  [[nodiscard]] bool is_left_out(std::size_t event, std::size_t steps) const {
+    return options_.program != nullptr ? options_.program->run->block_of[event] >= kMostBlocks : steps >= kMostSteps;
+  }
+
   Json step_of(const spec::Event<double>& event) {
     Json step;
     step["line"] = event.line;
     if (event.n) step["n"] = *event.n;
-    if (event.line > 0 && event.line <= text_.size()) {
+    if (options_.program == nullptr && event.line > 0 && event.line <= text_.size()) {
       std::string_view text = text_[event.line - 1];
       while (text.ends_with('\r')) text.remove_suffix(1);
       step["text"] = text;
@@ -165,6 +177,7 @@ class ViewData {
     step["what"] = words(event);
     if (event.kind == spec::EventKind::move && event.type == spec::MoveType::rapid) step["rapid"] = true;
     if (event.kind == spec::EventKind::alarm) step["alarm"] = event.number.view();
+    if (event.kind == spec::EventKind::warning || event.kind == spec::EventKind::undecided) step["warning"] = true;
     if (event.tool_axis && std::ranges::all_of(*event.tool_axis, [](double x) { return std::isfinite(x); }))
       step["tool_axis"] = json_of(*event.tool_axis);
     if (const auto shape = shapes_ ? shapes_->at(event.line) : std::nullopt) step["tool"] = number_of(*shape);
@@ -174,7 +187,10 @@ class ViewData {
   // The index in the list of clauses, in which each stands once.
   std::size_t number_of(spec::Clause clause) {
     const auto [entry, is_new] = clause_numbers_.emplace(clause, clauses_.size());
-    if (is_new) clauses_.push_back({spec::info(clause).id, spec::info(clause).text});
+    if (is_new) {
+      clauses_.push_back({spec::info(clause).id, spec::info(clause).text});
+      if (options_.program != nullptr) clauses_.back().push_back(clause_data(clause));
+    }
     return entry->second;
   }
 
@@ -189,8 +205,10 @@ class ViewData {
     return static_cast<std::size_t>(found - known_tools_.begin());
   }
 
+  const spec::Case& c_;
   const ViewRun& run_;
   const ViewOptions& options_;
+  std::vector<std::size_t> step_of_;  // by event
   std::vector<std::string> text_;
   std::optional<ToolShapes> shapes_;
   Path programmed_;
@@ -251,9 +269,9 @@ std::string view(std::string_view title, const spec::Case& c, const ViewRun& run
                  std::string_view picture) {
   std::string drawn = "<div class=\"picture\">" + std::string(picture) + "</div>\n";
   const Json data = ViewData(c, run, options).json();
-  if (data["steps"].empty() && options.recorded.empty()) return drawn;
-  return std::string(kFigure) + " aria-label=\"" + escape(title) + "\">\n" + drawn +
-         "<script type=\"application/json\">" + in_script(data) + "</script>\n</figure>\n";
+  if (data["steps"].empty() && options.recorded.empty() && options.program == nullptr) return drawn;
+  return std::string(kFigure) + (options.program != nullptr ? " data-program" : "") + " aria-label=\"" + escape(title) +
+         "\">\n" + drawn + "<script type=\"application/json\">" + in_script(data) + "</script>\n</figure>\n";
 }
 
 bool has_view(std::string_view body) { return body.find(kFigure) != std::string_view::npos; }

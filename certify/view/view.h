@@ -11,6 +11,7 @@
 
 #include "certify/path.h"
 #include "certify/path_svg.h"
+#include "certify/view/program_data.h"
 #include "model/basis/event.h"
 #include "spec/language/case.h"
 #include "spec/language/event.h"
@@ -35,8 +36,9 @@ struct ViewSample {
 
 // What is shown besides the run.
 struct ViewOptions {
-  PathOptions path;                  // start, unit, the controller's events, the marked event
-  std::vector<ViewSample> recorded;  // of a recording
+  PathOptions path;                      // start, unit, the controller's events, the marked event
+  std::vector<ViewSample> recorded;      // of a recording
+  const ProgramView* program = nullptr;  // of a program's page: its blocks stand beside the drawing
 };
 
 // HTML: the picture, over it, where a browser can, the view. `title` is text, `picture` SVG.

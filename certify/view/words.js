@@ -43,7 +43,7 @@ function places(run, index) {
     : element('span');
 }
 
-function toolWords(run, index) {
+export function toolWords(run, index) {
   const shape = run.tools[run.steps[index].tool];
   if (!shape) return 'The tool’s radius is not known here: drawn as a pointer.';
   let text = `Tool of ${shape.name}: radius ${number(shape.radius)}`;

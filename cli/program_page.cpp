@@ -1,0 +1,83 @@
+#include "cli/program_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "certify/path_svg.h"
+#include "certify/view/program_page.h"
+#include "cli/program.h"
+#include "spec/language/byte_source.h"
+
+namespace toolcomp::cli {
+namespace {
+
+// The files that are called, by the first line of each in the text.
+std::vector<std::pair<std::uint64_t, std::string>> called_files(const Program& program, const spec::Case& c) {
+  std::vector<std::pair<std::uint64_t, std::string>> files;
+  if (program.is_case()) return files;
+  std::string last = program.path();
+  const auto lines = static_cast<std::uint64_t>(std::ranges::count(c.program, '\n')) + 1;
+  for (std::uint64_t line = 1; line <= lines; ++line) {
+    std::string file = program.place(line).file;
+    if (file == last) continue;
+    last = file;
+    files.emplace_back(line, std::move(file));
+  }
+  return files;
+}
+
+std::vector<std::string> alarms_of(const Program& program, const certify::ProgramRun& run) {
+  std::vector<std::string> alarms;
+  for (std::size_t i = 0; i < run.events.size(); ++i) {
+    const model::Event& event = run.events[i];
+    if (event.kind != spec::EventKind::alarm || run.blocks.empty()) continue;
+    const certify::ProgramRun::Block& block = run.blocks[run.block_of[i]];
+    const bool known = block.line == event.line;
+    const Place at = known ? program.place(block.fault_line, block.fault_column) : program.place(event.line);
+    alarms.push_back(fmt::format("{}:{}:{}: {}{}{}", spec::display_name(at.file), at.line, at.column,
+                                 event.number.view(), *event.message == '\0' ? "" : " ", event.message));
+  }
+  return alarms;
+}
+
+}  // namespace
+
+std::string setup_of(const ViewOptions& options) {
+  if (!options.setup.empty()) return options.setup;
+  return (std::filesystem::path(options.program).parent_path() / "setup.toml").string();
+}
+
+ProgramPage program_page(const ViewOptions& options, const std::string& live, bool with_fast,
+                         const std::function<void()>& on_block) {
+  const Program program(options.program, options.setup, options.samples);
+  const spec::Case c = program.as_case();
+  certify::ProgramRun run;
+  try {
+    run = certify::run_program(c, spec::display_name(options.program), on_block);
+  } catch (const spec::InputError& error) {
+    throw program.placed(error);
+  }
+  ProgramPage page;
+  const auto called = called_files(program, c);
+  certify::ProgramView view{&run, {}, options.digits};
+  for (const auto& [line, file] : called) {
+    page.called_files.push_back(file);
+    view.files.emplace_back(line, std::filesystem::path(file).filename().string());
+  }
+  certify::PathOptions drawing = certify::path_options(c);
+  if (with_fast) {
+    drawing.other = run.fast;
+    drawing.other_name = "fast engine";
+  }
+  const certify::ProgramPageNames names{spec::display_name(options.program),
+                                        program.is_case() ? std::string() : setup_of(options), live};
+  page.html = certify::program_page(c, view, drawing, names);
+  page.undecided = run.undecided;
+  page.alarms = alarms_of(program, run);
+  return page;
+}
+
+}  // namespace toolcomp::cli
