@@ -124,10 +124,11 @@ FanucProgram::FanucProgram(const spec::Case& c) {
     while (reader.next(*block) && !block->alarm) {
       state.line = block->line;
       state.words.assign(block->words().begin(), block->words().end());
-      keep_last_one_shot(state.words);
+      // A code that another one excludes keeps its letters.
       constexpr std::array kTakesLetters{40, 50, 51, 100, 220, 501};
       if (std::ranges::any_of(kTakesLetters, [&state](int code) { return state.has_code(code); }))
         std::erase_if(state.words, [](const spec::Word& w) { return !is_shared_with_data(w.address); });
+      keep_last_one_shot(state.words);
       for (const spec::Word& w : state.words) {
         calls_ = calls_ || (w.address == 'M' && (w.value.digits == 98 || w.value.digits == 99));
         if (w.address == 'D') state.d = number(w.value);

@@ -71,8 +71,9 @@ Command Interpreter::read(const spec::Block& block) {
   // number P, once, and PS0078 where there is none.
   if (codes.returns) recorder_.reach(Clause::fanuc_program_return);
   read_feed(command);
-  // fanuc.program.letters-as-data: In a block with G04 G05 G05.1 G10 G22 or G50.1 axis letters and I J K are data of
-  // that code (a dwell time, limits, origins), not positions: they move nothing, turn nothing and name no axis.
+  // fanuc.program.letters-as-data: In a block with G04 G05 G05.1 G10 G22 or G50.1, even where another code of the block
+  // counts in its place, axis letters and I J K are data (a dwell time, limits, origins), not positions: they move
+  // nothing, turn nothing and name no axis.
   if (!recorder_.decide(Clause::fanuc_program_letters_as_data, codes.letters_are_data)) {
     command.axes = axis_words(words);
     command.direction = words.has('I') || words.has('J') || words.has('K');
