@@ -39,7 +39,7 @@ class Shown:
 
     def environment(self, folder):
         python = self.toolcomp.parent / "python"
-        return {**os.environ, "PATH": f"{self.toolcomp.parent}:{os.environ['PATH']}", "HOME": str(folder), "NO_COLOR": "1",
+        return {**os.environ, "PATH": f"{self.toolcomp.parent}:/usr/bin:{os.environ['PATH']}", "HOME": str(folder), "NO_COLOR": "1",
                 "TOOLCOMP": str(self.toolcomp), "PYTHONPATH": str(python), "PYTHONDONTWRITEBYTECODE": "1", "MPLBACKEND": "Agg"}
 
     def look_up(self, command):
