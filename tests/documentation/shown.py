@@ -105,6 +105,8 @@ class Page:
             shutil.copytree(self.shown.source / name, self.folder / name, ignore=shutil.ignore_patterns("__pycache__"))
         for name in ("corpus", "spec", "fuzz", "docs"):
             (self.folder / name).symlink_to(self.shown.source.resolve() / name)
+        (self.folder / "build").mkdir()
+        (self.folder / "build/release").symlink_to(self.shown.toolcomp.parent)
         # README files speak of what stands beside them.
         beside = self.shown.source / pathlib.Path(self.file).parent
         if self.file.startswith("adapters/"):
