@@ -47,7 +47,8 @@ TEST(Architecture, DependenciesRunOneWay) {
       {"corpus", {"corpus", "formal", "fuzz", "model", "fast", "spec"}},
       {"formal", {"formal", "model", "spec"}},
       {"certify", {"certify", "corpus", "formal", "fuzz", "model", "fast", "spec"}},
-      {"cli", {"cli", "certify", "corpus", "formal", "fuzz", "model", "fast", "spec"}}};
+      {"cli", {"cli", "certify", "corpus", "formal", "fuzz", "model", "fast", "spec"}},
+      {"python", {"python", "certify", "corpus", "formal", "fuzz", "model", "fast", "spec"}}};
   const std::regex include(R"re(#include "([a-z_]+)/)re");
   std::size_t seen = 0;
   for (const auto& [room, rooms] : allowed) {
@@ -112,7 +113,7 @@ TEST(Architecture, ATypeIsDefinedOnce) {
   const std::regex opens(R"(namespace ([a-z_:]*) ?\{)");
   const std::regex type(R"((?:struct|class|enum class|enum) (\w+)(?: final)?(?: :[^:].*)?\s*\{.*)");
   std::map<std::string, std::set<std::string>> definitions;
-  for (const std::string room : {"spec", "model", "fast", "fuzz", "corpus", "certify", "cli"})
+  for (const std::string room : {"spec", "model", "fast", "fuzz", "corpus", "certify", "cli", "python"})
     for (const fs::path& file : sources(room)) {
       std::ifstream lines(file);
       std::string name;
@@ -228,7 +229,7 @@ TEST(Architecture, SectionsAreKnownWhereItIsListed) {
   const std::regex include(R"re(#include "((?:model|fast)/(fanuc|heidenhain)/([a-z_]+))/[a-z_]+\.h")re");
   const std::set<std::string> no_sections{"program", "corner", "control", "interpreter"};
   std::set<const KnowsSection*> needed;
-  for (const std::string room : {"model", "fast", "fuzz", "corpus", "certify", "cli"})
+  for (const std::string room : {"model", "fast", "fuzz", "corpus", "certify", "cli", "python"})
     for (const fs::path& path : sources(room)) {
       const std::string file = fs::relative(path, kSource).generic_string();
       const std::string folder = fs::relative(path.parent_path(), kSource).generic_string();
@@ -294,7 +295,7 @@ TEST(Architecture, TheOracleNamesClausesInThePolicy) {
 // Tolerances stand in the one policy table and nowhere else.
 TEST(Architecture, NoToleranceOutsideThePolicy) {
   const std::regex small_literal(R"([0-9.]e-[0-9]+|0x1p-)");
-  for (const std::string room : {"fuzz", "certify", "corpus", "cli"}) {
+  for (const std::string room : {"fuzz", "certify", "corpus", "cli", "python"}) {
     for (const fs::path& file : sources(room)) {
       if (file.filename() == "policy.h") continue;
       EXPECT_FALSE(std::regex_search(code_of(read(file)), small_literal)) << file;

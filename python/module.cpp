@@ -1,0 +1,34 @@
+// The extension as a whole.
+#include <pybind11/stl.h>
+
+#include <string>
+#include <vector>
+
+#include "certify/capabilities.h"
+#include "formal/engine.h"
+#include "fuzz/gen/generator.h"
+#include "python/bindings.h"
+
+namespace py = pybind11;
+
+// NOLINTNEXTLINE(*): the macro's
+PYBIND11_MODULE(_core, module) {
+  using namespace toolcomp;  // NOLINT(google-build-using-namespace): what the macro opens is in none
+  module.doc() = "What toolcomp computes in C++. Use the package toolcomp.";
+  module.attr("version") = TOOLCOMP_VERSION;
+  module.attr("has_specification") = formal::available();
+  module.def("sections", [] {
+    std::vector<std::string> names;
+    for (const std::string_view section : fuzz::sections()) names.emplace_back(section);
+    return names;
+  });
+  module.def("fields", &certify::all_fields);
+  python::bind_errors(module);
+  python::bind_program(module);
+  python::bind_run(module);
+  python::bind_compare(module);
+  python::bind_certify(module);
+  python::bind_trace(module);
+  python::bind_corpus(module);
+  python::bind_batch(module);
+}

@@ -1,0 +1,70 @@
+"""An exact reference of CNC tool compensation.
+
+``run`` a program through the exact model, the fast engine or the formal specification; ``diff`` and ``explain`` it;
+``certify`` a controller, a Python function most simply; ``judge`` a recording; read the golden ``corpus``; compensate
+arrays of lines with ``Batch``. docs/python.md shows each.
+"""
+
+from __future__ import annotations
+
+from . import _core, corpus
+from .batch import Batch, Moves
+from .cases import Case
+from .certifying import Finding, Verdict, certify
+from .comparing import Comparison, Difference, diff
+from .controllers import ControllerLike
+from .errors import Error, InputError, NotApplicable, UndecidedError
+from .events import Alarm, Event, Move, Sample, Setting, Undecided, Warning
+from .explaining import Block, Clause, Decision, ExplainedEvent, clause, explain
+from .numbers import Exact, Number
+from .recordings import RecordingFinding, RecordingVerdict, judge
+from .running import run
+
+__version__: str = _core.version
+#: Whether this build has the formal specification (``engine="spec"``).
+has_specification: bool = _core.has_specification
+
+
+def sections() -> list[str]:
+    """The manual sections there are."""
+    return _core.sections()
+
+
+__all__ = [
+    "Alarm",
+    "Batch",
+    "Block",
+    "Case",
+    "Clause",
+    "Comparison",
+    "ControllerLike",
+    "Decision",
+    "Difference",
+    "Error",
+    "Event",
+    "Exact",
+    "ExplainedEvent",
+    "Finding",
+    "InputError",
+    "Move",
+    "Moves",
+    "NotApplicable",
+    "Number",
+    "RecordingFinding",
+    "RecordingVerdict",
+    "Sample",
+    "Setting",
+    "Undecided",
+    "UndecidedError",
+    "Verdict",
+    "Warning",
+    "certify",
+    "clause",
+    "corpus",
+    "diff",
+    "explain",
+    "has_specification",
+    "judge",
+    "run",
+    "sections",
+]

@@ -1,0 +1,82 @@
+"""The model against another engine."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from typing import Literal
+
+from . import _core
+from .programs import ProgramLike, SetupLike, program_of
+
+
+@dataclass(frozen=True)
+class Difference:
+    """The first difference."""
+
+    file: str
+    line: int
+    #: what differs: "coordinate", "missing event", …
+    kind: str
+    #: "point.X"
+    field: str
+    expected: str
+    actual: str
+    #: of linear coordinates: how far outside what is permitted, in micrometres
+    deviation_um: float
+    #: id of the clause that names it
+    clause: str | None
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """What came of a comparison."""
+
+    #: "agrees", "differs", "undecided", "nothing judged", "not applicable", …
+    outcome: str
+    difference: Difference | None
+    #: why it is undecided or not applicable
+    why: str
+    #: numbers and alarms that were judged
+    values: int
+    values_not_judged: int
+    #: questions that laws asked
+    questions: int
+    #: of the model, by sign; those near a tie; those that the engine took the other way
+    decisions: int
+    near_ties: int
+    ties: int
+    worst_ulp: float
+    worst_um: float
+
+    @property
+    def agrees(self) -> bool:
+        """Whether all that was judged agrees."""
+        return self.outcome == "agrees"
+
+    @property
+    def exit_status(self) -> int:
+        """As of the command: 0 agrees, 1 differs, 3 could not be decided."""
+        return {"agrees": 0, "differs": 1}.get(self.outcome, 3)
+
+
+def diff(
+    program: ProgramLike,
+    *,
+    setup: SetupLike | None = None,
+    engine: Literal["fast", "spec"] = "fast",
+    samples: int | None = None,
+    jobs: int = 0,
+) -> Comparison:
+    """Holds the fast engine, or the formal specification, against the exact model.
+
+    :param jobs: processors for a large program; 0: all
+    :raises InputError: for what cannot be read
+    """
+    if engine not in ("fast", "spec"):
+        raise ValueError(f'engine must be "fast" or "spec", not {engine!r}')
+    read = program_of(program, setup, samples)
+    text = _core.diff_fast(read, jobs) if engine == "fast" else _core.diff_specification(read)
+    said = json.loads(text)
+    difference = said.pop("difference")
+    return Comparison(difference=Difference(**difference) if difference else None, **said)

@@ -1,0 +1,119 @@
+"""Why a block does what it does."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from typing import Any, Tuple
+
+from . import _core
+from .events import Event, Outcome, event_of_json
+from .numbers import Number, number_of_json
+from .programs import ProgramLike, SetupLike, program_of
+from .running import expect_digits
+
+
+@dataclass(frozen=True)
+class Clause:
+    """A clause of a section, in words."""
+
+    id: str
+    section: str
+    text: str
+    #: where it comes from
+    provenance: str
+    formula: str
+    #: of an open clause: what else the manual permits
+    alternatives: str
+    #: the manual is silent: the definition is ours
+    open: bool
+
+
+@dataclass(frozen=True)
+class Decision:
+    """A decision by the sign of an exact value."""
+
+    clause: Clause
+    quantity: Number
+    #: what the quantity is compared with, None where it is 0; margin is quantity / scale
+    scale: Number | None
+    margin: Number | None
+    outcome: Outcome
+    #: what the outcome means, in words
+    meaning: str
+
+
+@dataclass(frozen=True)
+class ExplainedEvent:
+    """An event of the model, with what is said of it in words."""
+
+    event: Event
+    #: of G37: how far the position may be off
+    measured: str
+    #: the heads and vectors of the corner behind it
+    corner: str
+
+
+@dataclass(frozen=True)
+class Block:
+    """What both engines made of a block."""
+
+    line: int
+    n: int | None
+    text: str
+    decisions: Tuple[Decision, ...]
+    exact: Tuple[ExplainedEvent, ...]
+    fast: Tuple[Event, ...]
+
+
+def clause(id: str) -> Clause:
+    """The clause of that id.
+
+    :raises KeyError: there is none
+    """
+    return Clause(**json.loads(_core.clause(id)))
+
+
+def _number(json: Any) -> Number | None:
+    return None if json is None else number_of_json(json)
+
+
+def _decision(said: dict[str, Any]) -> Decision:
+    return Decision(
+        clause=clause(said["clause"]),
+        quantity=number_of_json(said["quantity"]),
+        scale=_number(said["scale"]),
+        margin=_number(said["margin"]),
+        outcome=said["outcome"],
+        meaning=said["meaning"],
+    )
+
+
+def explain(
+    program: ProgramLike,
+    *,
+    setup: SetupLike | None = None,
+    block: int | None = None,
+    samples: int | None = None,
+    digits: int = 15,
+) -> list[Block]:
+    """Block by block: decisions with their exact values, clauses, and the events of both engines.
+
+    :param block: a sequence number, or where no block has it a line; without it, all blocks
+    :raises InputError: for what cannot be read, and where no block is `block`
+    """
+    read = program_of(program, setup, samples)
+    return [
+        Block(
+            line=said["line"],
+            n=said["n"],
+            text=said["text"],
+            decisions=tuple(map(_decision, said["decisions"])),
+            exact=tuple(
+                ExplainedEvent(event_of_json(each["event"]), each["measured"], each["corner"])
+                for each in said["exact"]
+            ),
+            fast=tuple(map(event_of_json, said["fast"])),
+        )
+        for said in json.loads(_core.explain(read, block, expect_digits(digits)))
+    ]

@@ -1,0 +1,76 @@
+"""Programs and setups, however they are given."""
+
+from __future__ import annotations
+
+import json
+import os
+from fractions import Fraction
+from decimal import Decimal
+from pathlib import Path
+from typing import Any, Mapping, Union
+
+from . import _core
+from .cases import Case
+from .errors import InputError
+
+#: A file (a str without line feed is its name; a program, or a case if it is JSON), text with line feeds, or a case.
+ProgramLike = Union[str, "os.PathLike[str]", Case]
+#: A file, TOML text (a str with ``=`` or a line feed), or what the JSON of a case has.
+SetupLike = Union[str, "os.PathLike[str]", Mapping[str, Any]]
+
+
+def _plain(value: Any) -> Any:
+    """A setup as JSON: keys are text, digits are kept."""
+    if isinstance(value, Mapping):
+        return {str(key): _plain(each) for key, each in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_plain(each) for each in value]
+    if isinstance(value, bool) or value is None or isinstance(value, (str, int)):
+        return value
+    if isinstance(value, Decimal):
+        return format(value, "f")
+    if isinstance(value, Fraction):
+        raise InputError(f"{value!r} is no decimal number", "setup")
+    # A double that a program would write with an exponent keeps its digits.
+    return format(Decimal(repr(float(value))), "f") if hasattr(value, "__float__") else value
+
+
+def setup_of(setup: SetupLike) -> _core.Setup:
+    """Reads a setup.
+
+    :raises InputError: for what is none, with its place
+    """
+    if isinstance(setup, Mapping):
+        return _core.setup_of_text(json.dumps(_plain(setup)), "setup", True)
+    if isinstance(setup, str) and ("\n" in setup or "=" in setup):
+        return _core.setup_of_text(setup, "setup", False)
+    return _core.setup_of_file(os.fspath(setup))
+
+
+def program_of(
+    program: ProgramLike, setup: SetupLike | None = None, samples: int | None = None, name: str = "program"
+) -> _core.Program:
+    """Reads what is run. A program file without `setup` has the setup.toml beside it.
+
+    :raises InputError: for a file or case that cannot be read
+    """
+    if isinstance(program, Case):
+        if setup is not None:
+            raise InputError("a case brings its own setup", program.id)
+        return _core.program_of_case(program.json(), program.id or "case", samples)
+    if isinstance(program, str) and "\n" in program:
+        if program.lstrip().startswith("{"):
+            return _core.program_of_case(program, "case", samples)
+        if setup is None:
+            raise InputError("text of a program needs a setup", name)
+        return _core.program_of_text(program, name, setup_of(setup), samples or 0)
+    path = os.fspath(program)
+    if isinstance(program, str) and not Path(path).exists():
+        raise InputError("no such file; text of one block ends with a line feed", path)
+    if setup is None or (isinstance(setup, (str, os.PathLike)) and not _is_text(setup)):
+        return _core.program_of_file(path, "" if setup is None else os.fspath(setup), samples)
+    return _core.program_with_setup(path, setup_of(setup), samples or 0)
+
+
+def _is_text(setup: object) -> bool:
+    return isinstance(setup, str) and ("\n" in setup or "=" in setup)

@@ -1,0 +1,40 @@
+// Lines through fast::Batch from C++: seconds of each run, a line each, for tests/python/bench_batch.py.
+// batch_million WORDS FILE HEAD SETUP RUNS: FILE has the columns of the words, "XYZ", doubles as they lie in memory.
+#include <chrono>
+#include <cstddef>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fast/batch/batch.h"
+#include "spec/language/byte_source.h"
+#include "spec/language/setup_format.h"
+
+int main(int count, char** given) {
+  const std::vector<std::string> arguments(given, given + count);
+  if (arguments.size() != 6) return 2;
+  const std::string& words = arguments[1];
+  const std::string bytes = toolcomp::spec::read_file(arguments[2]);
+  std::vector<double> values(bytes.size() / sizeof(double));
+  std::memcpy(values.data(), bytes.data(), values.size() * sizeof(double));
+  const std::size_t lines = values.size() / words.size();
+  const toolcomp::spec::Setup setup = toolcomp::spec::read_setup_toml(arguments[4], "setup");
+  std::vector<toolcomp::fast::WordColumn> columns;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    columns.push_back({std::string_view(words).substr(i, 1), std::span(values).subspan(i * lines, lines), 3});
+  for (int run = std::stoi(arguments[5]); run > 0; --run) {
+    const auto begun = std::chrono::steady_clock::now();
+    toolcomp::fast::Batch batch(setup);
+    batch.run(arguments[3]);
+    batch.lines(columns);
+    batch.end();
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begun;
+    if (batch.moves().size() < lines) return 1;
+    std::cout << seconds.count() << '\n';
+  }
+  return 0;
+}

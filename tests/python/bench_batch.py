@@ -1,0 +1,82 @@
+"""A million blocks as arrays: from Python and from C++, turn about in one run. Each turn is the best of some runs in a
+process that has done one before; a run begins with a new batch and ends with its moves at hand.
+
+    PYTHONPATH=build/release/python python3 tests/python/bench_batch.py build/release/toolcomp_batch_million
+"""
+
+from __future__ import annotations
+
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+
+import toolcomp
+
+LINES = 1_000_000
+TURNS = 5
+RUNS = 4
+SETUP = 'control = "fanuc"\n[offsets.D]\n1 = "4.95"\n[offsets.H]\n1 = 20\n'
+HEADS = {
+    "length offset": ("XYZ", "G90 G01 F1000\nG43 H1 Z0\n"),
+    "cutter compensation C": ("XY", "G90 G17 G01 F1000 X320. Y-2.\nG42 D1 X326. Y-1.\n"),
+}
+
+Columns = dict[str, npt.NDArray[np.float64]]
+
+
+def ring() -> Columns:
+    """A wavy ring, a line half a millimetre long."""
+    turn = 2 * np.pi * np.arange(LINES) / 4096
+    radius = 0.5 * 4096 / (2 * np.pi) + np.sin(7 * turn)
+    return {"X": np.round(radius * np.cos(turn), 3), "Y": np.round(radius * np.sin(turn), 3), "Z": np.round(5 * np.sin(3 * turn), 3)}
+
+
+def in_python(columns: Columns, head: str) -> float:
+    """Seconds of the best run."""
+    return min([_in_python(columns, head) for _ in range(RUNS)][1:])
+
+
+def _in_python(columns: Columns, head: str) -> float:
+    begun = time.perf_counter()
+    batch = toolcomp.Batch(SETUP)
+    batch.run(head)
+    batch.lines(columns)
+    batch.end()
+    moves = batch.moves()
+    seconds = time.perf_counter() - begun
+    assert len(moves) >= LINES and not any(isinstance(event, toolcomp.Alarm) for event in batch.events())
+    return seconds
+
+
+def in_cpp(program: str, words: str, file: Path, head: str) -> float:
+    """The same."""
+    said = subprocess.run(
+        [program, words, str(file), head, SETUP, str(RUNS)], check=True, capture_output=True, text=True
+    ).stdout
+    return min([float(line) for line in said.split()][1:])
+
+
+def ratios(program: str) -> dict[str, tuple[float, float]]:
+    """By row: nanoseconds a block in Python, and how many times that of C++: medians of turns."""
+    columns = ring()
+    result = {}
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "columns"
+        for name, (words, head) in HEADS.items():
+            given = {word: columns[word] for word in words}
+            file.write_bytes(b"".join(column.tobytes() for column in given.values()))
+            pairs = [(in_python(given, head), in_cpp(program, words, file, head)) for _ in range(TURNS)]
+            python, cpp = (statistics.median(side) for side in zip(*pairs))
+            result[name] = (python / LINES * 1e9, python / cpp)
+    return result
+
+
+if __name__ == "__main__":
+    for name, (nanoseconds, ratio) in ratios(sys.argv[1]).items():
+        print(f"{name:<24} {nanoseconds:6.1f} ns a block, {ratio:.2f} times C++")
