@@ -18,6 +18,7 @@
 #include "certify/report.h"
 #include "certify/running_report.h"
 #include "certify/trace/trace.h"
+#include "cli/adapter_names.h"
 #include "cli/certify_adapter.h"
 #include "cli/evidence.h"
 #include "cli/manners.h"
@@ -171,9 +172,10 @@ void print(const certify::SectionResult& s) {
 }
 
 void print(const certify::Finding& finding, const fs::path& file) {
-  fmt::print("\nFINDING {} {} ({} cases, first {}{})\n  {}\n{}  toolcomp replay {}\n", finding.key.kind,
-             finding.key.clause, finding.occurrences, finding.first_case, certify::how_it_comes(finding),
-             certify::explanation(finding), finding.smallest.program, file.string());
+  fmt::print("\n{} {} {} ({} cases, first {}{})\n  {}\n{}  toolcomp replay {}\n",
+             painted(Paint::bad, "FINDING", Stream::out), finding.key.kind, finding.key.clause, finding.occurrences,
+             finding.first_case, certify::how_it_comes(finding), certify::explanation(finding),
+             finding.smallest.program, file.string());
 }
 
 void print(const certify::Certificate& certificate, const std::vector<fs::path>& findings, const std::string& report,
@@ -195,8 +197,10 @@ void print(const certify::Certificate& certificate, const std::vector<fs::path>&
       fmt::print("{}: {}\n", shown(section.section), certify::words_on_wide(section.values, section.wide));
   if (const std::uint64_t not_run = certify::cases_not_run(certificate); not_run > 0)
     fmt::print("{} cases not run{}\n", not_run, certificate.interrupted.empty() ? "" : ": " + certificate.interrupted);
-  fmt::print("{}; seed {}; {:.0f} s; {}\n", certify::verdict(certificate), certificate.identity.seed, seconds,
-             (fs::path(report) / "index.html").string());
+  const int status = certify::exit_status(certificate);
+  const Paint paint = status == kAgrees ? Paint::good : status == kDiffers ? Paint::bad : Paint::doubtful;
+  fmt::print("{}; seed {}; {:.0f} s; {}\n", painted(paint, certify::verdict(certificate), Stream::out),
+             certificate.identity.seed, seconds, (fs::path(report) / "index.html").string());
 }
 
 // Lengths in micrometres; an angle or a component of a unit vector counts as what it moves at the end of one metre.
@@ -218,6 +222,7 @@ void print_widths(const certify::Certificate& certificate) {
 int certify(const CertifyOptions& options) {
   if (options.controller.empty() == options.trace.empty()) usage("name a --controller or a --trace");
   const auto adapter = adapter_named(options);
+  if (!adapter && options.controller != kSpecification) expect_no_slip(options.controller, options.adapters);
   if (options.packages) {
     if (options.controller == kSpecification) fmt::print("coq\nocaml-nox\nocaml-findlib\n");
     if (adapter)

@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <exception>
-#include <filesystem>
 #include <map>
-#include <optional>
 
-#include "certify/adapter.h"
+#include "cli/adapter_names.h"
 #include "fuzz/campaign/target.h"
 #include "fuzz/gen/generator.h"
 #include "spec/clauses/clauses.h"
@@ -39,20 +36,6 @@ class Candidates {
   std::string text_;
 };
 
-void add_adapters(Candidates& candidates) {
-  for (const std::filesystem::path& folder : certify::adapter_folders({})) {
-    std::error_code none;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
-      try {
-        for (const certify::Adapter& adapter : certify::read_manifest(entry.path() / "manifest.toml"))
-          candidates.add(adapter.name, "adapter");
-      } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch)
-        // A folder without a manifest, or with one that cannot be read, has nothing to offer.
-      }
-    }
-  }
-}
-
 // What an option's word stands for.
 void add_values(Candidates& candidates, const std::string& value) {
   if (value.find('|') != std::string::npos) return candidates.add_all(value);
@@ -64,17 +47,21 @@ void add_values(Candidates& candidates, const std::string& value) {
   if (value == "TARGET")
     for (const fuzz::Target& target : fuzz::targets()) candidates.add(target.name, "target");
   if (value == "CONTROLLER") candidates.add("spec", "the formal specification");
-  if (value == "CONTROLLER" || value == "ADAPTER") add_adapters(candidates);
+  if (value == "CONTROLLER" || value == "ADAPTER")
+    for (const std::string& name : adapter_names({})) candidates.add(name, "adapter");
   if (value == "FILE" || value == "PROGRAM" || value == "SETUP") candidates.ask("files");
   if (value == "FOLDER") candidates.ask("folders");
 }
 
 // An argument whose meaning depends on the one before it, by verb and that one: what it takes there, or nothing.
 std::string value_behind(const std::string& verb, const std::string& first, const std::string& value) {
-  static const std::map<std::string, std::string> kTaken{
-      {"spec show", "CLAUSE"},   {"config check", "FILE"},   {"config schema", "setup|case|event|hello|answer"},
-      {"corpus diff", "FOLDER"}, {"corpus merge", "FOLDER"}, {"kit judge", value}};
-  if (verb != "spec" && verb != "config" && verb != "corpus" && verb != "kit") return value;
+  static const std::map<std::string, std::string> kTaken{{"spec show", "CLAUSE"},
+                                                         {"config check", "FILE"},
+                                                         {"config schema", "setup|case|event|hello|answer"},
+                                                         {"corpus diff", "FOLDER"},
+                                                         {"corpus merge", "FOLDER"}};
+  if (verb == "kit") return first == "judge" ? value : "";
+  if (verb != "spec" && verb != "config" && verb != "corpus") return value;
   const auto found = kTaken.find(verb + ' ' + first);
   return found == kTaken.end() ? "" : found->second;
 }
@@ -144,7 +131,7 @@ std::string of_verb(const VerbText& verb, const std::vector<std::string>& words,
     if (const OptionText* const option = find(verb.options, word.substr(0, equals))) add_values(values, option->value);
     return values.take();
   }
-  Candidates candidates(word == "=" ? "" : word);
+  Candidates candidates(word == "=" ? std::string_view() : std::string_view(word));
   if (given.waits != nullptr)
     add_values(candidates, given.waits->value);
   else if (!given.ended && word.starts_with('-'))

@@ -1,5 +1,6 @@
 // toolcomp fuzz --campaign, and the processes that work for it.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -26,6 +27,7 @@
 #include "spec/language/byte_source.h"
 #include "spec/language/data_folder.h"
 #include "spec/language/input_error.h"
+#include "spec/language/suggestion.h"
 
 namespace toolcomp::cli {
 namespace {
@@ -63,9 +65,11 @@ std::vector<const fuzz::Target*> chosen(const FuzzOptions& options, const fuzzin
   for (const std::string& name : options.targets) {
     const fuzz::Target* const target = fuzz::find_target(name);
     if (target == nullptr) {
-      std::string all;
-      for (const fuzz::Target& known : fuzz::targets()) all += (all.empty() ? "" : ", ") + known.name;
-      usage(fmt::format("no target {}; there are {}", name, all));
+      std::vector<std::string> all;
+      for (const fuzz::Target& known : fuzz::targets()) all.push_back(known.name);
+      const std::string meant = spec::did_you_mean(name, all);
+      usage(fmt::format("no target {}{}", name,
+                        meant.empty() ? fmt::format("; there are {}", fmt::join(all, ", ")) : meant));
     }
     if (!bench.can_run(*target))
       usage("the reader " + name + " has no built-in driver: `./dev fuzz` builds its target");

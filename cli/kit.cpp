@@ -12,6 +12,7 @@
 #include "certify/kit/kit_json.h"
 #include "certify/kit/make.h"
 #include "certify/report.h"
+#include "cli/adapter_names.h"
 #include "cli/manners.h"
 #include "cli/program.h"
 #include "cli/progress.h"
@@ -20,6 +21,7 @@
 #include "spec/language/decimal.h"
 #include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
+#include "spec/language/suggestion.h"
 
 namespace toolcomp::cli {
 namespace {
@@ -55,7 +57,9 @@ std::optional<spec::Decimal> tolerance_of(const std::string& text) {
 
 kit::WhyNot asking(const KitOptions& options) {
   const auto adapter = certify::find_adapter(options.controller, certify::adapter_folders(options.adapters));
-  if (!adapter) usage("--controller names an adapter (docs/adapters.md), and none is called " + options.controller);
+  if (!adapter)
+    usage("--controller names an adapter (docs/adapters.md), and none is called " + options.controller +
+          spec::did_you_mean(options.controller, adapter_names(options.adapters)));
   certify::expect_programs(*adapter);
   return [adapter = *adapter](const std::vector<spec::Case>& cases) { return certify::why_not(adapter, cases); };
 }

@@ -135,9 +135,9 @@ std::string verb_page(const VerbText& verb, const std::string& date) {
   page.section("DESCRIPTION");
   page.paragraphs(manual.description);
   add_options(page, verb.options);
-  add_status(page);
   add_named(page, "ENVIRONMENT", "Ev", environment_texts());
   add_named(page, "FILES", "Pa", manual.files);
+  add_status(page);
   add_examples(page, manual.examples);
   std::vector<std::string> others{""};
   for (const std::string_view other : manual.see_also) others.push_back('-' + std::string(other));
@@ -170,9 +170,9 @@ std::string program_page(const CommandLine& line, const std::string& date) {
   }
   page.line(".El");
   add_options(page, line.options());
-  add_status(page);
   add_named(page, "ENVIRONMENT", "Ev", environment_texts());
   add_named(page, "FILES", "Pa", manual.files);
+  add_status(page);
   add_examples(page, manual.examples);
   add_see_also(page, pages);
   return page.take();

@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 // "fast", 1, "0.5": as somebody would write it in a setup.
 std::string shown(const Json& value) { return value.dump(); }
 
-// "0, 1 (default 0)", "1 to 999", …
+// "Values: 0, 1; default 0.", "Values: 1 to 999.", …
 std::string values(const Json& property) {
   std::string text;
   if (property.contains("enum"))
@@ -25,16 +25,20 @@ std::string values(const Json& property) {
         text += (text.empty() ? "" : ", ") + shown(value);
   if (property.contains("minimum")) text = shown(property.at("minimum")) + " to " + shown(property.at("maximum"));
   if (property.value("type", "") == "boolean") text = "true, false";
-  if (property.contains("default")) text += (text.empty() ? "default " : "; default ") + shown(property.at("default"));
-  return text;
+  const std::string usual = property.contains("default") ? shown(property.at("default")) : "";
+  if (text.empty()) return usual.empty() ? "" : "Default: " + usual + '.';
+  return "Values: " + text + (usual.empty() ? "" : "; default " + usual) + '.';
 }
 
 void add_properties(roff::Page& page, const Json& properties) {
   page.line(".Bl -tag -width Ds");
   for (const auto& [name, property] : properties.items()) {
     page.line(".It Cm " + roff::word(name));
-    page.text(property.value("description", "A table."));
-    if (const std::string taken = values(property); !taken.empty()) page.text("Values: " + taken + ".");
+    page.text(property.value("description", "A value of its own."));
+    if (const std::string taken = values(property); !taken.empty()) page.text(taken);
+    // A table of keys, or an array of such; that of parameters has a section of its own.
+    const Json& inner = property.contains("items") ? property.at("items") : property;
+    if (name != "parameters" && inner.contains("properties")) add_properties(page, inner.at("properties"));
   }
   page.line(".El");
 }

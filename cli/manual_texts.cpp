@@ -46,6 +46,15 @@ const std::vector<ManualText>& texts() {
        {{"One block:", "toolcomp explain part.nc --block 20"}, {"All of them:", "toolcomp explain part.nc > why.txt"}},
        {kSetupFile},
        {"run", "spec"}},
+      {"view",
+       {"Writes one page to step through a program: its blocks, the drawing in space, and the clauses and exact "
+        "numbers of "
+        "the block under the cursor. It needs nothing beside it and no network. --serve shows it on 127.0.0.1 and "
+        "makes "
+        "it anew whenever program or setup change (docs/view.md)."},
+       {{"A page beside the program:", "toolcomp view part.nc"}},
+       {kSetupFile},
+       {"run", "explain"}},
       {"serve",
        {"Answers the controller protocol (docs/protocol.md): a JSON object a line in, an answer a line out. It is how "
         "our own engines are certified, and an example of a controller."},

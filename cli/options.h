@@ -51,6 +51,7 @@ CLI::Option* choose(CLI::App* sub, const std::string& name, Value& value, const 
       ->transform(CLI::Validator(
           [&names](std::string& given) {
             std::vector<std::string> known;
+            known.reserve(names.size());
             for (const auto& [other, named] : names) known.push_back(other);
             if (std::string why = why_not_one_of(given, known); !why.empty()) return why;
             given = std::to_string(static_cast<int>(names.at(given)));

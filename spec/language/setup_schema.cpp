@@ -101,7 +101,7 @@ constexpr std::string_view kHeidenhainTables =
                 "description": "1 to 32767, with an index from .1 to .9 where there is one.",
                 "oneOf": [
                   { "type": "number", "minimum": 1, "maximum": 32767.9 },
-                  { "type": "string", "pattern": "^[1-9][0-9]{0,4}(\\.[1-9])?$" }
+                  { "type": "string", "pattern": "^([1-9][0-9]{0,3}|[12][0-9]{4}|3[01][0-9]{3}|32[0-6][0-9]{2}|327[0-5][0-9]|3276[0-7])(\\.[1-9])?$" }
                 ]
               },
               "name": { "$ref": "#/$defs/name" },
@@ -140,7 +140,10 @@ constexpr std::string_view kHeidenhainTables =
               "points": {
                 "description": "Pairs of angle (0 to 180 degrees, strictly ascending) and deviation (mm).",
                 "type": "array", "minItems": 1,
-                "items": { "type": "array", "items": { "$ref": "#/$defs/decimal" }, "minItems": 2, "maxItems": 2 }
+                "items": {
+                  "type": "array", "minItems": 2, "items": false,
+                  "prefixItems": [{ "$ref": "#/$defs/decimal", "minimum": 0, "maximum": 180 }, { "$ref": "#/$defs/decimal" }]
+                }
               }
             }
           }
@@ -153,6 +156,10 @@ constexpr std::string_view kHeidenhainTables =
         { "type": "number" },
         { "type": "string", "pattern": "^[+-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)$" }
       ]
+    },
+    "whole": {
+      "description": "A number without decimals; in quotes at most seven digits, for eight would be a row of bits.",
+      "oneOf": [{ "type": "integer" }, { "type": "string", "pattern": "^[+-]?[0-9]{1,7}(\\.0*)?$" }]
     },
     "entries": {
       "description": "By offset number, in the units of the setup.",
@@ -193,7 +200,8 @@ std::string enumeration(std::string_view values) {
 }
 
 std::string bounds(const ParameterInfo& p) {
-  return R"("$ref": "#/$defs/decimal", "minimum": )" + to_string(p.least) + R"(, "maximum": )" + to_string(p.greatest);
+  const std::string type = p.type == ParameterType::integer || p.type == ParameterType::axis ? "whole" : "decimal";
+  return R"("$ref": "#/$defs/)" + type + R"(", "minimum": )" + to_string(p.least) + R"(, "maximum": )" + to_string(p.greatest);
 }
 
 std::string description(const ParameterInfo& p) {
@@ -244,7 +252,7 @@ std::string parameter_properties() {
   for (const ParameterInfo& p : parameters()) {
     if (p.id.bit >= 0 && p.id.number != last)
       add({p.id.number, -1},
-          R"({ "description": "Its bits as one number.", "$ref": "#/$defs/decimal", "minimum": 0, "maximum": )" +
+          R"({ "description": "Its bits as one number.", "$ref": "#/$defs/whole", "minimum": 0, "maximum": )" +
               std::to_string(known_bits(p.id.number)));
     last = p.id.number;
     std::string schema = description(p);
