@@ -201,7 +201,8 @@ std::string enumeration(std::string_view values) {
 
 std::string bounds(const ParameterInfo& p) {
   const std::string type = p.type == ParameterType::integer || p.type == ParameterType::axis ? "whole" : "decimal";
-  return R"("$ref": "#/$defs/)" + type + R"(", "minimum": )" + to_string(p.least) + R"(, "maximum": )" + to_string(p.greatest);
+  return R"("$ref": "#/$defs/)" + type + R"(", "minimum": )" + to_string(p.least) + R"(, "maximum": )" +
+         to_string(p.greatest);
 }
 
 std::string description(const ParameterInfo& p) {

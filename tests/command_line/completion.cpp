@@ -110,7 +110,8 @@ TEST_F(Shells, Zsh) {
     const std::string shown = typed(
         "zsh -f -i", "fpath=($PWD $fpath); autoload -Uz compinit; compinit -u -D; unset zle_bracketed_paste; PS1=%%",
         t.text + "\\t\\x01echo \"[\\x05]\"\\n");
-    EXPECT_NE(shown.find('[' + t.becomes.substr(0, t.becomes.size() - 1) + ']'), std::string::npos) << t.text << '\n' << shown;
+    EXPECT_NE(shown.find('[' + t.becomes.substr(0, t.becomes.size() - 1) + ']'), std::string::npos) << t.text << '\n'
+                                                                                                    << shown;
   }
 }
 
