@@ -121,6 +121,8 @@ def certify(
     if corpus is None:
         corpus = not alone
     golden = "" if corpus is False else os.fspath(_corpus.folder() if corpus is True else corpus)
+    if cases < 0 or seed < 0 or jobs < 1 or not timeout > 0 or (time_limit is not None and not time_limit > 0):
+        raise ValueError("cases and seed must not be negative; jobs, timeout and time_limit must be positive")
     command, in_python = _subject(controller, wanted, fields, raise_errors)
     certificate = _core.certify(
         command=command,

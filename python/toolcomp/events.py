@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, fields
 from fractions import Fraction
-from types import MappingProxyType
 from typing import Any, ClassVar, Literal, Mapping, Tuple, Union
 
 from .numbers import Number, json_of_number, number_of_json
@@ -21,14 +20,12 @@ AxisValues = Mapping[str, Number]
 #: Components in X, Y, Z.
 Vector = Tuple[Number, Number, Number]
 
-_NONE: AxisValues = MappingProxyType({})
+
+def _is_empty(value: object) -> bool:
+    return value is None or value is False or (isinstance(value, (str, tuple, Mapping)) and not value)
 
 
-def _none() -> AxisValues:
-    return _NONE
-
-
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class _Event:
     """What all events have."""
 
@@ -40,8 +37,13 @@ class _Event:
     #: ids of the clauses it rests on, the deciding one last; the model gives them
     clauses: Tuple[str, ...] = ()
 
+    def __repr__(self) -> str:
+        """The fields that it has."""
+        said = ((each.name, getattr(self, each.name)) for each in fields(self))
+        return f"{type(self).__name__}({', '.join(f'{name}={value!r}' for name, value in said if not _is_empty(value))})"
 
-@dataclass(frozen=True, kw_only=True)
+
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Move(_Event):
     """One movement."""
 
@@ -49,19 +51,19 @@ class Move(_Event):
     type: MoveType = "linear"
     cause: Cause = "programmed"
     #: programmed end point, absolute, workpiece coordinates
-    programmed: AxisValues = field(default_factory=_none)
+    programmed: AxisValues = field(default_factory=dict)
     #: compensated tool point, before length offset
-    point: AxisValues = field(default_factory=_none)
+    point: AxisValues = field(default_factory=dict)
     #: what the axes are sent to, workpiece coordinates
-    axes: AxisValues = field(default_factory=_none)
+    axes: AxisValues = field(default_factory=dict)
     #: the same in machine coordinates: G53, G28, G30, tool center point control
-    machine: AxisValues = field(default_factory=_none)
+    machine: AxisValues = field(default_factory=dict)
     #: unit vector from tip to holder
     tool_axis: Vector | None = None
     #: as F; not of rapid moves
     feed: Number | None = None
     # arcs
-    center: AxisValues = field(default_factory=_none)
+    center: AxisValues = field(default_factory=dict)
     plane: Plane | None = None
     direction: Direction | None = None
     #: degrees of the tool's own arc
@@ -69,33 +71,33 @@ class Move(_Event):
     #: at start and end, where they differ
     radius: Tuple[Number, Number] | None = None
     # Klartext
-    tool_center: AxisValues = field(default_factory=_none)
-    contact: AxisValues = field(default_factory=_none)
+    tool_center: AxisValues = field(default_factory=dict)
+    contact: AxisValues = field(default_factory=dict)
     #: surface normal, unit
     normal: Vector | None = None
-    shift: AxisValues = field(default_factory=_none)
-    tool_shift: AxisValues = field(default_factory=_none)
-    carrier: AxisValues = field(default_factory=_none)
+    shift: AxisValues = field(default_factory=dict)
+    tool_shift: AxisValues = field(default_factory=dict)
+    carrier: AxisValues = field(default_factory=dict)
     #: degrees between normal and tool
     angle: Number | None = None
     #: the normal is along the tool
     flat: bool = False
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Sample(_Event):
     """A position inside a block under tool center point control."""
 
     kind: ClassVar[str] = "sample"
     #: which part of the block lies behind it
     t: Fraction
-    point: AxisValues = field(default_factory=_none)
-    axes: AxisValues = field(default_factory=_none)
-    machine: AxisValues = field(default_factory=_none)
+    point: AxisValues = field(default_factory=dict)
+    axes: AxisValues = field(default_factory=dict)
+    machine: AxisValues = field(default_factory=dict)
     tool_axis: Vector | None = None
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Alarm(_Event):
     """An alarm: it ends the run."""
 
@@ -105,7 +107,7 @@ class Alarm(_Event):
     message: str = ""
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Warning(_Event):
     """A warning: the run goes on."""
 
@@ -114,7 +116,7 @@ class Warning(_Event):
     message: str = ""
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Setting(_Event):
     """A value written to the offset memory (G10, G37)."""
 
@@ -124,7 +126,7 @@ class Setting(_Event):
     value: Number
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Undecided(_Event):
     """The specification leaves open what happens, or a sign could not be certified."""
 
@@ -188,9 +190,7 @@ def json_of_event(event: Event | Mapping[str, Any]) -> dict[str, Any]:
     written = {"kind": event.kind, "line": event.line}
     for each in fields(event):
         value = getattr(event, each.name)
-        if each.name == "line" or value is None or value == "" or value is False or (
-            isinstance(value, (tuple, Mapping)) and not value and each.name != "permitted"
-        ):
+        if each.name == "line" or (_is_empty(value) and each.name != "permitted"):
             continue
         written[each.name] = _write(each.name, value)
     return written

@@ -18,6 +18,9 @@ ProgramLike = Union[str, "os.PathLike[str]", Case]
 #: A file, TOML text (a str with ``=`` or a line feed), or what the JSON of a case has.
 SetupLike = Union[str, "os.PathLike[str]", Mapping[str, Any]]
 
+#: The most parts a block is divided into.
+MOST_SAMPLES = 1_000_000
+
 
 def _plain(value: Any) -> Any:
     """A setup as JSON: keys are text, digits are kept."""
@@ -41,7 +44,11 @@ def setup_of(setup: SetupLike) -> _core.Setup:
     :raises InputError: for what is none, with its place
     """
     if isinstance(setup, Mapping):
-        return _core.setup_of_text(json.dumps(_plain(setup)), "setup", True)
+        try:
+            return _core.setup_of_text(json.dumps(_plain(setup)), "setup", True)
+        except InputError as error:
+            # A dict has no lines.
+            raise InputError(error.message, "setup") from None
     if isinstance(setup, str) and ("\n" in setup or "=" in setup):
         return _core.setup_of_text(setup, "setup", False)
     return _core.setup_of_file(os.fspath(setup))
@@ -54,6 +61,8 @@ def program_of(
 
     :raises InputError: for a file or case that cannot be read
     """
+    if samples is not None and not 0 <= samples <= MOST_SAMPLES:
+        raise ValueError(f"samples must be 0 to {MOST_SAMPLES}, not {samples}")
     if isinstance(program, Case):
         if setup is not None:
             raise InputError("a case brings its own setup", program.id)

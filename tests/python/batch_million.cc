@@ -1,5 +1,6 @@
 // Lines through fast::Batch from C++: seconds of each run, a line each, for tests/python/bench_batch.py.
-// batch_million WORDS FILE HEAD SETUP RUNS: FILE has the columns of the words, "XYZ", doubles as they lie in memory.
+// batch_million WORDS FILE HEAD SETUP RUNS CHUNKS: FILE has the columns of the words, "XYZ", doubles as they lie in
+// memory; lines are given in so many parts, and the memory of the moves of one is used again for the next.
 #include <chrono>
 #include <cstddef>
 #include <cstring>
@@ -16,7 +17,7 @@
 
 int main(int count, char** given) {
   const std::vector<std::string> arguments(given, given + count);
-  if (arguments.size() != 6) return 2;
+  if (arguments.size() != 7) return 2;
   const std::string& words = arguments[1];
   const std::string bytes = toolcomp::spec::read_file(arguments[2]);
   std::vector<double> values(bytes.size() / sizeof(double));
@@ -24,16 +25,23 @@ int main(int count, char** given) {
   const std::size_t lines = values.size() / words.size();
   const toolcomp::spec::Setup setup = toolcomp::spec::read_setup_toml(arguments[4], "setup");
   std::vector<toolcomp::fast::WordColumn> columns;
-  for (std::size_t i = 0; i < words.size(); ++i)
-    columns.push_back({std::string_view(words).substr(i, 1), std::span(values).subspan(i * lines, lines), 3});
+  for (std::size_t i = 0; i < words.size(); ++i) columns.push_back({std::string_view(words).substr(i, 1), {}, 3});
+  const std::size_t size = lines / std::stoul(arguments[6]);
   for (int run = std::stoi(arguments[5]); run > 0; --run) {
     const auto begun = std::chrono::steady_clock::now();
     toolcomp::fast::Batch batch(setup);
     batch.run(arguments[3]);
-    batch.lines(columns);
-    batch.end();
+    std::size_t moves = 0;
+    for (std::size_t first = 0; first < lines; first += size) {
+      for (std::size_t i = 0; i < words.size(); ++i)
+        columns[i].values = std::span(values).subspan(i * lines + first, size);
+      batch.moves().clear();
+      batch.lines(columns);
+      if (first + size == lines) batch.end();
+      moves += batch.moves().size();
+    }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begun;
-    if (batch.moves().size() < lines) return 1;
+    if (moves + 2 < lines) return 1;
     std::cout << seconds.count() << '\n';
   }
   return 0;

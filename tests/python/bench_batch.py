@@ -1,12 +1,12 @@
 """A million blocks as arrays: from Python and from C++, turn about in one run. Each turn is the best of some runs in a
-process that has done one before; a run begins with a new batch and ends with its moves at hand.
+process that has done one before, and ends with the moves at hand. "new" begins with a new batch; "chunks" gives one batch
+a tenth of the lines at a time and drops the moves before it goes on (C++: uses their memory again).
 
     PYTHONPATH=build/release/python python3 tests/python/bench_batch.py build/release/toolcomp_batch_million
 """
 
 from __future__ import annotations
 
-import statistics
 import subprocess
 import sys
 import tempfile
@@ -37,33 +37,40 @@ def ring() -> Columns:
     return {"X": np.round(radius * np.cos(turn), 3), "Y": np.round(radius * np.sin(turn), 3), "Z": np.round(5 * np.sin(3 * turn), 3)}
 
 
-def in_python(columns: Columns, head: str) -> float:
+def in_python(columns: Columns, head: str, chunks: int) -> float:
     """Seconds of the best run."""
-    return min([_in_python(columns, head) for _ in range(RUNS)][1:])
+    return min([_in_python(columns, head, chunks) for _ in range(RUNS)][1:])
 
 
-def _in_python(columns: Columns, head: str) -> float:
+def _in_python(columns: Columns, head: str, chunks: int) -> float:
     begun = time.perf_counter()
     batch = toolcomp.Batch(SETUP)
     batch.run(head)
-    batch.lines(columns)
-    batch.end()
-    moves = batch.moves()
+    size = LINES // chunks
+    count = 0
+    for first in range(0, LINES, size):
+        batch.lines({word: values[first : first + size] for word, values in columns.items()})
+        if first + size == LINES:
+            batch.end()
+        moves = batch.moves()
+        count += len(moves)
+        if first + size < LINES:
+            del moves
     seconds = time.perf_counter() - begun
-    assert len(moves) >= LINES and not any(isinstance(event, toolcomp.Alarm) for event in batch.events())
+    assert count >= LINES and not any(isinstance(event, toolcomp.Alarm) for event in batch.events())
     return seconds
 
 
-def in_cpp(program: str, words: str, file: Path, head: str) -> float:
+def in_cpp(program: str, words: str, file: Path, head: str, chunks: int) -> float:
     """The same."""
     said = subprocess.run(
-        [program, words, str(file), head, SETUP, str(RUNS)], check=True, capture_output=True, text=True
+        [program, words, str(file), head, SETUP, str(RUNS), str(chunks)], check=True, capture_output=True, text=True
     ).stdout
     return min([float(line) for line in said.split()][1:])
 
 
 def ratios(program: str) -> dict[str, tuple[float, float]]:
-    """By row: nanoseconds a block in Python, and how many times that of C++: medians of turns."""
+    """By row: nanoseconds a block in Python, and how many times that of C++: the best turn of each."""
     columns = ring()
     result = {}
     with tempfile.TemporaryDirectory() as folder:
@@ -71,12 +78,15 @@ def ratios(program: str) -> dict[str, tuple[float, float]]:
         for name, (words, head) in HEADS.items():
             given = {word: columns[word] for word in words}
             file.write_bytes(b"".join(column.tobytes() for column in given.values()))
-            pairs = [(in_python(given, head), in_cpp(program, words, file, head)) for _ in range(TURNS)]
-            python, cpp = (statistics.median(side) for side in zip(*pairs))
-            result[name] = (python / LINES * 1e9, python / cpp)
+            for how, chunks in (("new", 1), ("chunks", 10)):
+                pairs = [
+                    (in_python(given, head, chunks), in_cpp(program, words, file, head, chunks)) for _ in range(TURNS)
+                ]
+                python, cpp = map(min, zip(*pairs))
+                result[f"{name}, {how}"] = (python / LINES * 1e9, python / cpp)
     return result
 
 
 if __name__ == "__main__":
     for name, (nanoseconds, ratio) in ratios(sys.argv[1]).items():
-        print(f"{name:<24} {nanoseconds:6.1f} ns a block, {ratio:.2f} times C++")
+        print(f"{name:<32} {nanoseconds:6.1f} ns a block, {ratio:.2f} times C++")

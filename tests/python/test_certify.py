@@ -217,6 +217,8 @@ def test_what_cannot_be() -> None:
         toolcomp.certify(right, sections="fanuc/nothing", corpus=False)
     with pytest.raises(toolcomp.InputError, match="cannot be run"):
         toolcomp.certify("/nowhere/control", sections=SECTION, cases=1, corpus=False)
+    with pytest.raises(ValueError, match="jobs"):
+        toolcomp.certify(right, jobs=0)
     with pytest.raises(TypeError, match="is no controller"):
         toolcomp.certify(7)  # type: ignore[arg-type]
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 from decimal import Decimal, localcontext
 from fractions import Fraction
 from pathlib import Path
@@ -67,6 +68,15 @@ def test_arc_fields() -> None:
     assert (arc.type, arc.plane, arc.direction) == ("arc", "XY", "ccw")
     assert arc.center == {"X": 0, "Y": 0}
     assert arc.sweep == 90
+
+
+def test_events_are_shown_short_and_can_be_pickled() -> None:
+    (event,) = toolcomp.run("G43 Z100. H1\n", setup=PLAIN, engine="fast")
+    assert repr(event) == (
+        "Move(line=1, type='rapid', cause='programmed', programmed={'X': 0.0, 'Y': 0.0, 'Z': 100.0}, "
+        "point={'X': 0.0, 'Y': 0.0, 'Z': 100.0}, axes={'X': 0.0, 'Y': 0.0, 'Z': 120.0})"
+    )
+    assert pickle.loads(pickle.dumps(event)) == event
 
 
 def test_alarm_ends_the_run() -> None:
@@ -163,8 +173,16 @@ class TestErrors:
         with pytest.raises(ValueError, match="digits"):
             toolcomp.run("X1.\n", setup=PLAIN, digits=0)
 
-    def test_it_can_be_pickled(self) -> None:
-        import pickle
+    def test_a_setup_as_dict_has_no_lines(self) -> None:
+        with pytest.raises(toolcomp.InputError) as raised:
+            toolcomp.run("X1.\n", setup={"control": "fanuc", "wheels": 4})
+        assert (raised.value.line, raised.value.column) == (None, None)
+        assert "wheels" in str(raised.value)
 
+    def test_samples(self) -> None:
+        with pytest.raises(ValueError, match="samples"):
+            toolcomp.run("X1.\n", setup=PLAIN, samples=-1)
+
+    def test_it_can_be_pickled(self) -> None:
         error = pickle.loads(pickle.dumps(toolcomp.InputError("bad", "f", 1, 2)))
         assert str(error) == "f:1:2: bad"
