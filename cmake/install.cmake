@@ -1,22 +1,44 @@
-# Installed: the command and the libraries of the specification and both engines, found by find_package(toolcomp).
+# Installed: the command with the files it needs, the library of C, and the libraries of the specification and both
+# engines, found by find_package(toolcomp) and by pkg-config.
 include(CMakePackageConfigHelpers)
 
-set(libraries toolcomp_options toolcomp_spec toolcomp_exact toolcomp_model toolcomp_fast)
-foreach(library ${libraries})
+set(engines toolcomp_options toolcomp_spec toolcomp_exact toolcomp_model toolcomp_fast)
+foreach(library ${engines} toolcomp_c)
   string(REPLACE "toolcomp_" "" short ${library})
   set_target_properties(${library} PROPERTIES EXPORT_NAME ${short})
 endforeach()
-install(TARGETS toolcomp RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS ${libraries} EXPORT toolcomp ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY spec model fast DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/toolcomp FILES_MATCHING PATTERN "*.h")
-install(FILES ${PROJECT_BINARY_DIR}/generated/spec/clauses/clauses.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/toolcomp/spec/clauses)
-install(FILES ${PROJECT_BINARY_DIR}/generated/spec/parameters/keys.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/toolcomp/spec/parameters)
-install(EXPORT toolcomp NAMESPACE toolcomp:: FILE toolcompTargets.cmake DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/toolcomp)
+set(config ${CMAKE_INSTALL_LIBDIR}/cmake/toolcomp)
+set(headers ${CMAKE_INSTALL_INCLUDEDIR}/toolcomp)
+
+install(TARGETS toolcomp RUNTIME)
+install(TARGETS toolcomp_c EXPORT c LIBRARY PUBLIC_HEADER)
+install(TARGETS ${engines} EXPORT engines ARCHIVE)
+install(DIRECTORY spec model fast DESTINATION ${headers} FILES_MATCHING PATTERN "*.h" PATTERN formal EXCLUDE PATTERN trace EXCLUDE)
+install(FILES ${PROJECT_BINARY_DIR}/generated/spec/clauses/clauses.h DESTINATION ${headers}/spec/clauses)
+install(FILES ${PROJECT_BINARY_DIR}/generated/spec/parameters/keys.h DESTINATION ${headers}/spec/parameters)
+install(EXPORT c NAMESPACE toolcomp:: FILE toolcompC.cmake DESTINATION ${config})
+install(EXPORT engines NAMESPACE toolcomp:: FILE toolcompEngines.cmake DESTINATION ${config})
 configure_package_config_file(cmake/toolcompConfig.cmake.in ${PROJECT_BINARY_DIR}/toolcompConfig.cmake
-  INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/toolcomp)
+  INSTALL_DESTINATION ${config})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/toolcompConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/toolcompConfig.cmake ${PROJECT_BINARY_DIR}/toolcompConfigVersion.cmake
-  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/toolcomp)
-# Where certify --controller NAME looks (docs/adapters.md).
-install(DIRECTORY adapters DESTINATION ${CMAKE_INSTALL_DATADIR}/toolcomp PATTERN __pycache__ EXCLUDE)
+  DESTINATION ${config})
+
+# The way from lib/pkgconfig back to the prefix: an installed tree may be moved.
+file(RELATIVE_PATH up /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+string(REGEX REPLACE "/$" "" up "${up}")
+foreach(name toolcomp toolcomp-engines)
+  configure_file(cmake/${name}.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endforeach()
+
+# What the command reads (spec/language/data_folder.h): controllers by name (docs/adapters.md), the golden corpus with its
+# schemas, hard cases, and first inputs of a search.
+set(data ${CMAKE_INSTALL_DATADIR}/toolcomp)
+install(DIRECTORY adapters DESTINATION ${data} USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE)
+foreach(folder golden hard regression schema seeds)
+  install(DIRECTORY corpus/${folder} DESTINATION ${data}/corpus)
+endforeach()
+install(FILES corpus/proofs/unproven.json DESTINATION ${data}/corpus/proofs)
+install(DIRECTORY examples DESTINATION ${data} PATTERN __pycache__ EXCLUDE)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
