@@ -43,7 +43,7 @@ const std::vector<ManualText>& texts() {
       {"explain",
        {"Says block by block which clauses acted, what was decided and how near each decision was, with exact and "
         "double values."},
-       {{"One block:", "toolcomp explain part.nc --block 20"}, {"All of them:", "toolcomp explain part.nc > why.txt"}},
+       {{"One block:", "toolcomp explain part.nc --block 5"}, {"All of them:", "toolcomp explain part.nc > why.txt"}},
        {kSetupFile},
        {"run", "spec"}},
       {"view",
@@ -77,7 +77,9 @@ const std::vector<ManualText>& texts() {
       {"verify",
        {"Checks that a bundle of evidence is whole and says what its certificate says, and judges cases of it again: a "
         "sample of any seed, or all."},
-       {{"A bundle that certify --evidence wrote:", "toolcomp verify part.tar.zst"}},
+       {{"A certificate of one program, with its evidence:",
+         "toolcomp certify --controller 'toolcomp serve --engine fast' part.nc --evidence part.tar.zst"},
+        {"Whether it is what it says:", "toolcomp verify part.tar.zst"}},
        {},
        {"certify"}},
       {"replay",
@@ -90,9 +92,10 @@ const std::vector<ManualText>& texts() {
        {"For a control that nobody can pipe cases into. make writes programs, offsets and a run sheet for the machine "
         "of "
         "a setup; judge takes the recordings of these runs and writes a certificate."},
-       {{"A kit for a milling machine:",
-         "toolcomp kit make --setup setup.toml --sections fanuc/cutter-compensation-b --travel X=-500,500 --travel "
-         "Y=-500,500 --travel Z=-300,300 --out kit"}},
+       {{"The setup of the machine, to be edited:", "toolcomp config example > machine.toml"},
+        {"A kit for it:",
+         "toolcomp kit make --setup machine.toml --sections fanuc/tool-length-offset --travel X=-500,500 --travel "
+         "Y=-500,500 --travel Z=-300,300 --travel B=-120,120 --travel C=-360,360 --out kit"}},
        {{"kit/kit.json", "What the kit holds, for kit judge."}},
        {"certify"}},
       {"fuzz",
