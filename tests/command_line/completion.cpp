@@ -1,8 +1,10 @@
 // Completion: what the command answers, and what bash, zsh and fish make of it on a terminal.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "tests/command_line/command.h"
 
@@ -66,9 +68,9 @@ class Shells : public testing::Test {
     for (const std::string shell : {"bash", "zsh", "fish"}) {
       const Outcome outcome = toolcomp("completion " + shell);
       ASSERT_EQ(outcome.status, 0);
-      folder.write(shell == "zsh" ? "_toolcomp" : "toolcomp." + shell, outcome.out);
+      static_cast<void>(folder.write(shell == "zsh" ? "_toolcomp" : "toolcomp." + shell, outcome.out));
     }
-    folder.write("part.nc", "G00 X1.\n");
+    static_cast<void>(folder.write("part.nc", "G00 X1.\n"));
   }
 
   // What a terminal shows where these lines are typed into the shell.

@@ -2,6 +2,7 @@
 // of VS Code and the errorformat of Vim.
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <string>
 
@@ -29,7 +30,7 @@ class Editors : public testing::Test {
  protected:
   // Places counted by hand. Ä and Ö are two bytes each, and one character.
   std::vector<Fault> faults() {
-    folder.write("setup.toml", "control = \"fanuc\"\n");
+    static_cast<void>(folder.write("setup.toml", "control = \"fanuc\"\n"));
     const std::string klartext = folder.write("klartext.toml", "control = \"heidenhain\"\n");
     const std::string key = folder.write("key.toml", "control = \"fanuc\"\n  unitz = \"mm\"\n");
     const std::string umlaut =
@@ -82,7 +83,7 @@ TEST_F(Editors, VisualStudioCode) {
 
 TEST_F(Editors, Vim) {
   for (const Fault& fault : faults()) {
-    folder.write("said.txt", said(fault) + '\n');
+    static_cast<void>(folder.write("said.txt", said(fault) + '\n'));
     const std::string script = folder.write(
         "look.vim", "source " + kEditors + "vim/toolcomp.vim\nset encoding=utf-8\ncfile " + folder.path("said.txt") +
                         "\nlet found = getqflist()[0]\ncall writefile([bufname(found.bufnr), found.lnum, found.col, "

@@ -58,8 +58,7 @@ TEST_F(Manners, WhatIsMisspeltIsAnsweredWithTheNearest) {
   suggests("corpus generat", "generate");
   suggests("kit mak", "make");
   suggests("spec show fanuc.cutter-b.mod", "fanuc.cutter-b.mode");
-  for (const std::string verb :
-       {"certify --controller x", "fuzz", "corpus check", "fuzz --campaign " + folder.path("c")})
+  for (const std::string verb : {"certify --controller x", "fuzz", "corpus check", "fuzz --campaign none"})
     suggests(verb + " --section fanuc/tool-ofset", "fanuc/tool-offset");
   suggests("fuzz --campaign " + folder.path("c") + " --target tool_offset_directd", "tool_offset_directed");
   suggests("kit make --setup " + setup + " --out " + folder.path("k") + " --controller linuxnc", "linuxcnc");

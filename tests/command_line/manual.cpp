@@ -1,6 +1,7 @@
 // Manual pages: without a warning of mandoc or groff, whole, and every command shown runs.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <set>
 #include <string>
 #include <vector>
@@ -9,9 +10,9 @@
 
 namespace {
 
+namespace fs = std::filesystem;
 using toolcomp::test::command;
 using toolcomp::test::Folder;
-using toolcomp::test::fs;
 using toolcomp::test::Outcome;
 using toolcomp::test::read;
 using toolcomp::test::toolcomp;
@@ -89,7 +90,7 @@ TEST_F(Manual, WhatIsShownRuns) {
     const Folder place;
     fs::copy_file(example + "plate.nc", place.path("part.nc"));
     fs::copy_file(example + "setup.toml", place.path("setup.toml"));
-    place.write("case.json", R"({"case":1,"setup":{"control":"fanuc"},"program":"G00 X1.\n"})");
+    static_cast<void>(place.write("case.json", R"({"case":1,"setup":{"control":"fanuc"},"program":"G00 X1.\n"})"));
     const std::string run = read(page);
     for (const std::string& line : lines_of(command("mandoc -T ascii -O width=400 " + page + " | col -b").out)) {
       const std::size_t prompt = line.find("$ ");
