@@ -39,19 +39,19 @@ struct Content {
   std::string version;
 };
 
+class Client;
 class Listener;
 
 }  // namespace
 
-// What handlers of the context refer to is destroyed behind it.
 struct PageServerState {
-  std::size_t clients = 0;
   std::uint16_t port = 0;
   asio::io_context io{1};
   tcp::acceptor acceptor{io};
   asio::steady_timer timer{io};
   asio::steady_timer heartbeat{io};
   std::shared_ptr<const Content> content = std::make_shared<Content>();
+  std::list<std::weak_ptr<Client>> clients;
   std::list<std::shared_ptr<Listener>> listeners;
 };
 
@@ -108,17 +108,20 @@ class Listener : public std::enable_shared_from_this<Listener> {
 // One client that asks.
 class Client : public std::enable_shared_from_this<Client> {
  public:
-  Client(State& state, tcp::socket socket) : state_(state), stream_(std::move(socket)) { ++state_.clients; }
-  ~Client() { --state_.clients; }
-  Client(const Client&) = delete;
-  Client& operator=(const Client&) = delete;
+  Client(State& state, tcp::socket socket) : state_(state), stream_(std::move(socket)) {}
 
+  void close() {
+    Error ignored;
+    stream_.socket().close(ignored);
+  }
   void read() {
     parser_.emplace();
     parser_->header_limit(kMostHeader);
     stream_.expires_after(kToAsk);
     http::async_read_header(stream_, buffer_, *parser_, [self = shared_from_this()](Error error, std::size_t) {
-      if (error == http::error::end_of_stream || error == beast::error::timeout) return;
+      if (error == http::error::end_of_stream || error == beast::error::timeout ||
+          error == asio::error::operation_aborted)
+        return;
       if (error == http::error::header_limit) return self->refuse(http::status::request_header_fields_too_large);
       if (error) return self->refuse(http::status::bad_request);
       self->answer(self->parser_->get());
@@ -215,8 +218,17 @@ class Client : public std::enable_shared_from_this<Client> {
 void accept(State& state) {
   state.acceptor.async_accept([&state](Error error, tcp::socket socket) {
     if (error == asio::error::operation_aborted) return;
-    // One too many is closed at once.
-    if (!error && state.clients < kMostClients) std::make_shared<Client>(state, std::move(socket))->read();
+    if (!error) {
+      // Who has been at it longest makes room.
+      state.clients.remove_if([](const auto& client) { return client.expired(); });
+      if (state.clients.size() >= kMostClients) {
+        if (const auto oldest = state.clients.front().lock()) oldest->close();
+        state.clients.pop_front();
+      }
+      const auto client = std::make_shared<Client>(state, std::move(socket));
+      state.clients.push_back(client);
+      client->read();
+    }
     accept(state);
   });
 }

@@ -1,14 +1,10 @@
 #include "cli/program_page.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
-#include <map>
 
 #include "certify/path_svg.h"
 #include "certify/view/program_page.h"
-#include "cli/program.h"
 #include "spec/language/byte_source.h"
 
 namespace toolcomp::cli {
@@ -29,16 +25,15 @@ std::vector<std::pair<std::uint64_t, std::string>> called_files(const Program& p
   return files;
 }
 
-std::vector<std::string> alarms_of(const Program& program, const certify::ProgramRun& run) {
-  std::vector<std::string> alarms;
+std::vector<ProgramAlarm> alarms_of(const Program& program, const certify::ProgramRun& run) {
+  std::vector<ProgramAlarm> alarms;
   for (std::size_t i = 0; i < run.events.size(); ++i) {
     const model::Event& event = run.events[i];
     if (event.kind != spec::EventKind::alarm || run.blocks.empty()) continue;
     const certify::ProgramRun::Block& block = run.blocks[run.block_of[i]];
     const bool known = block.line == event.line;
-    const Place at = known ? program.place(block.fault_line, block.fault_column) : program.place(event.line);
-    alarms.push_back(fmt::format("{}:{}:{}: {}{}{}", spec::display_name(at.file), at.line, at.column,
-                                 event.number.view(), *event.message == '\0' ? "" : " ", event.message));
+    alarms.push_back({known ? program.place(block.fault_line, block.fault_column) : program.place(event.line),
+                      std::string(event.number.view()), event.message});
   }
   return alarms;
 }
@@ -48,6 +43,11 @@ std::vector<std::string> alarms_of(const Program& program, const certify::Progra
 std::string setup_of(const ViewOptions& options) {
   if (!options.setup.empty()) return options.setup;
   return (std::filesystem::path(options.program).parent_path() / "setup.toml").string();
+}
+
+void report_alarms(const ProgramPage& page) {
+  for (const ProgramAlarm& alarm : page.alarms)
+    report_alarm(alarm.place.file, alarm.place.line, alarm.place.column, alarm.number, alarm.message);
 }
 
 ProgramPage program_page(const ViewOptions& options, const std::string& live, bool with_fast,

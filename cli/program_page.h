@@ -5,16 +5,26 @@
 #include <string>
 #include <vector>
 
+#include "cli/program.h"
 #include "cli/verbs.h"
 
 namespace toolcomp::cli {
 
+struct ProgramAlarm {
+  Place place;
+  std::string number;
+  std::string message;
+};
+
 struct ProgramPage {
   std::string html;
-  bool undecided = false;           // an event was left undecided
-  std::vector<std::string> alarms;  // "FILE:LINE:COLUMN: NUMBER message", in the order of the run
+  bool undecided = false;            // an event was left undecided
+  std::vector<ProgramAlarm> alarms;  // in the order of the run
   std::vector<std::string> called_files;
 };
+
+// The alarms on standard error, as `run` reports them.
+void report_alarms(const ProgramPage& page);
 
 // `live`: certify::PageOptions::live. `with_fast`: the path of the fast engine is drawn beside the exact one.
 // `on_block` is called before each block and may throw. Throws spec::InputError for what cannot be read.

@@ -223,7 +223,7 @@ int print_page(const RunOptions& options) {
   shown.digits = options.digits;
   const ProgramPage page = program_page(shown, {}, options.engine == EngineName::fast, [] {});
   std::cout << page.html;
-  for (const std::string& alarm : page.alarms) std::cerr << alarm << '\n';
+  report_alarms(page);
   return page.undecided ? kUndecided : kAgrees;
 }
 

@@ -14,6 +14,7 @@
 #include "cli/manners.h"
 #include "cli/page_server.h"
 #include "cli/program_page.h"
+#include "cli/shown_place.h"
 #include "cli/stop.h"
 #include "cli/verbs.h"
 #include "cli/watched_files.h"
@@ -52,7 +53,7 @@ int write(const ViewOptions& options) {
       throw spec::InputError("--out", 0, 0, error.what());
     }
   }
-  for (const std::string& alarm : page.alarms) std::cerr << alarm << '\n';
+  report_alarms(page);
   if (file != "-") note("wrote " + file);
   return page.undecided ? kUndecided : kAgrees;
 }
@@ -122,19 +123,21 @@ class Serving {
       ProgramPage page = program_page(options_, version, false, [this] {
         if (give_up_) throw GivenUp();
       });
-      for (const std::string& alarm : page.alarms) std::cerr << alarm << '\n';
+      report_alarms(page);
       called_ = page.called_files;
       server_.show(std::move(page.html), version);
     } catch (const GivenUp&) {
       wanted_ = true;
     } catch (const spec::InputError& error) {
-      std::cerr << error.what() << '\n';
-      server_.show(certify::fault_page(error, names(version)), version);
+      show_fault(in_characters(error), version);
     } catch (const std::exception& error) {
-      const spec::InputError fault(options_.program, 0, 0, std::string("internal error: ") + error.what());
-      std::cerr << fault.what() << '\n';
-      server_.show(certify::fault_page(fault, names(version)), version);
+      show_fault({options_.program, 0, 0, std::string("internal error: ") + error.what()}, version);
     }
+  }
+
+  void show_fault(const spec::InputError& fault, const std::string& version) {
+    std::cerr << painted_diagnostic(fault.what()) << '\n';
+    server_.show(certify::fault_page(fault, names(version)), version);
   }
 
   const ViewOptions& options_;
@@ -152,6 +155,7 @@ class Serving {
 }  // namespace
 
 int view(const ViewOptions& options) {
+  say_what_is_read(options.program, options.setup);
   if (!options.serve) return write(options);
   if (!options.out.empty()) throw spec::InputError("--out", 0, 0, "and --serve exclude each other");
   if (options.program == "-") throw spec::InputError("--serve", 0, 0, "needs the program as a file");

@@ -176,7 +176,11 @@ export class Panel {
 
   key(event) {
     // The arrows of a slider are its own, and those of the words scroll; keys with Ctrl and Alt are the browser's.
-    if (event.target.tagName === 'INPUT' || event.ctrlKey || event.altKey || event.metaKey || this.help?.open) return;
+    if (event.target.tagName === 'INPUT' || event.ctrlKey || event.altKey || event.metaKey) return;
+    if (this.help?.open) {
+      if (/^(Escape|\?)$/.test(event.key)) this.help.close();
+      return;
+    }
     if (event.target === this.words && !(this.run.program && /^(Arrow(Left|Right)|.)$/.test(event.key))) return;
     const act = this.turning(event) ?? this.action(event.key);
     if (!act) return;

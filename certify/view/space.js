@@ -41,7 +41,8 @@ import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeome
 import { length, minus } from './run.js';
 
 const WIDTH = { programmed: 4, axes: 2, point: 2, other: 2 };
-const MOST_LABELS = 60;
+const MOST_LABELS = 60; // where there are no more steps; of more the fewer
+const SPREAD_LABELS = 24;
 
 let shared;
 function renderer() {
@@ -340,7 +341,7 @@ export class Space {
   // Alarms, and of the other steps so many, spread over all of them.
   chooseLabels() {
     const { steps } = this.run;
-    const stride = Math.ceil(steps.length / MOST_LABELS) || 1;
+    const stride = steps.length <= MOST_LABELS ? 1 : Math.ceil(steps.length / SPREAD_LABELS);
     const all = steps.map((_, i) => i);
     return [...all.filter((i) => steps[i].alarm), ...all.filter((i) => !steps[i].alarm && i % stride === 0)];
   }
