@@ -21,7 +21,8 @@ int check(const std::string& file) {
   if (file.empty()) throw spec::InputError("config check", 0, 0, "name a setup or a case");
   detail("reads " + file);
   const std::string text = spec::read_file(file);
-  const bool is_case = file.ends_with(".json") && text.find("\"program\"") != std::string::npos;
+  const auto has = [&text](std::string_view name) { return text.find(name) != std::string::npos; };
+  const bool is_case = file.ends_with(".json") && (has("\"program\"") || has("\"case\""));
   try {
     if (is_case) {
       const spec::Case c = spec::read_case(text, file);

@@ -175,23 +175,26 @@ TEST_F(Manners, ColorsOnATerminal) {
   EXPECT_FALSE(shown("TERM=xterm CLICOLOR=0 "));
 }
 
-// A search of a second: long enough for a line of progress.
 TEST_F(Manners, ProgressOnATerminalAlone) {
-  const std::string search =
-      kCommand + "fuzz --built-in --section fanuc/cutter-compensation-c --for 1s --findings " + folder.path("f") + ' ';
+  const std::string certify = kCommand + "certify --controller '" + kCommand +
+                              "serve --engine fast' --section fanuc/tool-offset --cases 20 --report " +
+                              folder.path("r") + ' ';
   const auto shown = [&](const std::string& environment, const std::string& options, const std::string& more) {
-    return command(environment + kTerminal + options + "-- " + search + more).out;
+    return command(environment + kTerminal + options + "-- " + certify + more).out;
   };
   const std::string usual = shown("TERM=xterm ", "", "");
-  EXPECT_TRUE(has(usual, "executions, ")) << usual;
+  EXPECT_TRUE(has(usual, " cases, ")) << usual;
   EXPECT_TRUE(has(usual, "\033[K")) << usual;
   EXPECT_EQ(shown("TERM=dumb ", "", ""), "");
   EXPECT_EQ(shown("TERM=xterm ", "", "--quiet"), "");
-  EXPECT_EQ(command(search).err, "");
-  const std::string narrow = shown("TERM=xterm ", "--columns 20 ", "");
-  EXPECT_TRUE(has(narrow, "executions")) << narrow;
+  EXPECT_EQ(command(certify).err, "");
+  const std::string narrow = shown("TERM=xterm ", "--columns 12 ", "");
+  EXPECT_TRUE(has(narrow, " of ")) << narrow;
+  EXPECT_FALSE(has(narrow, " cases, ")) << narrow;
   for (std::size_t from = narrow.find('\r'); from != std::string::npos; from = narrow.find('\r', from + 1))
-    EXPECT_LT(narrow.find("\033[K", from) - from - 1, 20U) << narrow;
+    if (const std::size_t end = narrow.find("\033[K", from); end != std::string::npos) {
+      EXPECT_LT(end - from - 1, 12U) << narrow;
+    }
 }
 
 }  // namespace

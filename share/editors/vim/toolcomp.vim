@@ -3,6 +3,9 @@ if exists('current_compiler')
   finish
 endif
 let current_compiler = 'toolcomp'
+if exists(':CompilerSet') != 2
+  command -nargs=* CompilerSet setlocal <args>
+endif
 if expand('%:e') ==? 'toml' || expand('%:e') ==? 'json'
   CompilerSet makeprg=toolcomp\ config\ check\ --color\ never\ %:S
 else
