@@ -58,7 +58,11 @@ function lettersOf([, letters, texts], like) {
   return differs.every((i) => !other.has(letters[i])) ? differs : [...letters].map((_, i) => i);
 }
 
-const LIKE = { point: ['programmed', 'as programmed'], axes: ['point', 'as the tool point'] };
+const LIKE = {
+  point: ['programmed', 'as programmed'],
+  axes: ['point', 'as the tool point'],
+  machine: ['axes', 'as the axes'],
+};
 
 function rowsOf(field, only, digits) {
   const [, letters, texts, doubles, ulps] = field;
@@ -67,14 +71,14 @@ function rowsOf(field, only, digits) {
     const cell = element('td', {}, value);
     if (more) cell.append(' ', element('small', {}, more));
     const off = ulps ? ulps[i] : 0;
-    const double = doubles[i] === 0 ? texts[i] : (doubles[i] ?? '');
+    const double = doubles ? doubles[i] : 0;
     return element(
       'tr',
       {},
       element('th', { scope: 'row' }, letters[i] ?? ''),
       cell,
-      element('td', { class: 'double' }, double),
-      element('td', { class: off ? 'ulp off' : 'ulp' }, doubles[i] === null ? '' : off > 0 ? `+${off}` : `${off ?? '?'}`),
+      element('td', { class: 'double' }, double === 0 ? texts[i] : (double ?? '')),
+      element('td', { class: off ? 'ulp off' : 'ulp' }, double === null ? '' : off > 0 ? `+${off}` : `${off ?? '?'}`),
     );
   });
 }
@@ -82,18 +86,19 @@ function rowsOf(field, only, digits) {
 // The numbers of an event; those that are as others are only said to be so.
 export function numbersTable(fields, digits) {
   if (!fields.length) return [];
-  const by = new Map(fields.map((field) => [field[0], field]));
+  const by = new Map();
+  for (const [name, letters, ...rest] of fields)
+    by.set(name, [name, letters, ...(typeof rest[0] === 'string' ? by.get(rest[0]).slice(2) : rest)]);
   const table = element(
     'table',
     { class: 'numbers' },
     element('thead', {}, element('tr', {}, ...['', 'exact', 'double', 'ulp'].map((name) => element('th', { scope: 'col' }, name)))),
   );
-  for (const field of fields) {
+  for (const field of by.values()) {
     const [like, words] = LIKE[field[0]] ?? [];
-    const other = by.get(like) ?? (like === 'point' ? by.get('programmed') : undefined);
+    const other = by.get(like);
     const only = lettersOf(field, other);
-    const alike = other && only.length < field[1].length;
-    const said = alike ? (other[0] === 'programmed' ? 'as programmed' : words) : '';
+    const said = other && only.length < field[1].length ? words : '';
     const name = element('th', { colspan: 4, scope: 'rowgroup' }, NAMES[field[0]] ?? field[0]);
     if (said) name.append(element('span', { class: 'soft' }, `: ${[...field[1]].filter((_, i) => !only.includes(i)).join(' ')} ${said}`));
     table.append(element('tbody', {}, element('tr', { class: 'field' }, name), ...rowsOf(field, only, digits)));

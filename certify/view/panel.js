@@ -37,7 +37,9 @@ export class Panel {
     const { program } = this.run;
     const label = this.figure.getAttribute('aria-label');
     this.canvas = element('canvas', { tabindex: 0, role: 'application', 'aria-label': `${label}. ${HELP}` });
-    this.count = element('output', {});
+    // As wide as its longest text: nothing moves while blocks are stepped through.
+    const most = this.run.blocks.length.toLocaleString('en').length;
+    this.count = element('output', { class: 'view-count', style: `min-width: ${2 * most + 4}ch` });
     this.words = element('div', { class: 'view-words', tabindex: 0 });
     const button = (name, text, action) => {
       const node = element('button', { type: 'button', 'aria-label': name, title: name }, text);

@@ -50,9 +50,16 @@ class Field {
   }
 
   Json json() {
-    Json json = {name_, letters_, std::move(exact_), std::move(doubles_)};
+    Json json = {name_, letters_, std::move(exact_)};
+    const bool same = std::ranges::all_of(doubles_, [](const Json& number) { return number == 0; });
+    if (!same || is_off_) json.push_back(std::move(doubles_));
     if (is_off_) json.push_back(std::move(off_));
     return json;
+  }
+  // The same numbers under another name: those of `other`.
+  Json json_as(const Field& other) { return {name_, letters_, other.name_}; }
+  [[nodiscard]] bool is_as(const Field& other) const {
+    return letters_ == other.letters_ && exact_ == other.exact_ && doubles_ == other.doubles_ && off_ == other.off_;
   }
 
  private:
@@ -92,7 +99,12 @@ class Numbers {
       fields.back().add(0, event.arc->radius->second, std::nullopt);
     }
     Json json = Json::array();
-    for (Field& field : fields) json.push_back(field.json());
+    const auto point = std::ranges::find(fields, "point", &Field::name);
+    for (Field& field : fields)
+      json.push_back(field.name() == "axes" && point != fields.end() && field.is_as(*point) ? field.json_as(*point)
+                                                                                            : Json());
+    for (std::size_t i = 0; i < fields.size(); ++i)
+      if (json[i].is_null()) json[i] = fields[i].json();
     return json;
   }
 

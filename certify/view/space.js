@@ -132,45 +132,65 @@ export class Space {
     this.canvas.height = Math.round(height * ratio);
     this.resolution = new Vector2(width, height);
     this.style = getComputedStyle(this.canvas);
-    const scene = new Scene();
-    this.aim(scene, width, height);
+    this.aim(width, height);
     const courses = this.run.shown.filter((course) => !hidden.has(course));
-    scene.add(this.stillLines(courses, factor));
-    this.group = new Group();
-    this.addSelected(courses, index, selected, factor, hidden);
-    this.addTool(index);
-    scene.add(this.group);
+    const paper = this.canvas.getContext('2d');
+    paper.scale(ratio, ratio);
+    this.layer((group) => this.addTool(group, index), (image) => paper.drawImage(image, 0, 0, width, height));
+    paper.drawImage(this.still(courses, factor, ratio), 0, 0, width, height);
+    this.layer(
+      (group) => this.addSelected(group, courses, index, selected, factor, hidden),
+      (image) => paper.drawImage(image, 0, 0, width, height),
+    );
+    this.label(paper, width, height, index);
+  }
+
+  // Draws what `add` puts into a group, and hands the image on.
+  layer(add, use) {
+    const group = new Group();
+    add(group);
+    if (group.children.length) this.render(group, use);
+    dispose(group);
+  }
+
+  render(group, use) {
     const gl = renderer();
-    gl.setPixelRatio(ratio);
-    gl.setSize(width, height, false);
+    const scene = new Scene();
+    scene.add(...this.lights, group);
+    gl.setPixelRatio(window.devicePixelRatio || 1);
+    gl.setSize(this.resolution.x, this.resolution.y, false);
     gl.setClearColor(0, 0);
     gl.render(scene, this.camera);
-    const paper = this.canvas.getContext('2d');
-    paper.drawImage(gl.domElement, 0, 0);
-    paper.scale(ratio, ratio);
-    this.label(paper, width, height, index);
-    dispose(this.group);
+    use(gl.domElement);
   }
 
-  // What is the same for every step: made anew only where what is seen of it changes.
-  stillLines(courses, factor) {
+  // What is the same for every step, as an image: lines are made anew only where they change, the image where they are
+  // seen otherwise.
+  still(courses, factor, ratio) {
     const colours = [...courses, 'recorded', 'off'].map((name) => this.style.getPropertyValue(`--view-${name}`));
-    const key = JSON.stringify([courses, factor, colours]);
-    if (this.stillKey !== key) {
-      if (this.still) dispose(this.still);
-      this.still = new Group();
-      this.stillKey = key;
-      this.group = this.still;
-      this.addCourses(courses, factor);
-      this.addRecording(factor);
+    const lines = JSON.stringify([courses, factor, colours]);
+    if (this.stillLines !== lines) {
+      if (this.stillGroup) dispose(this.stillGroup);
+      this.stillGroup = new Group();
+      this.addCourses(this.stillGroup, courses, factor);
+      this.addRecording(this.stillGroup, factor);
+      this.stillLines = lines;
     }
-    this.still.traverse((object) => {
-      if (object.material) object.material.resolution = this.resolution;
+    const { around, above, zoom, shift, resolution } = this;
+    const seen = JSON.stringify([lines, around, above, zoom, shift, resolution.x, resolution.y, ratio]);
+    if (this.stillSeen === seen) return this.stillImage;
+    this.stillSeen = seen;
+    this.stillImage = document.createElement('canvas');
+    this.stillImage.width = this.canvas.width;
+    this.stillImage.height = this.canvas.height;
+    this.stillGroup.traverse((object) => {
+      if (object.material) object.material.resolution = resolution;
     });
-    return this.still;
+    this.render(this.stillGroup, (image) => this.stillImage.getContext('2d').drawImage(image, 0, 0));
+    return this.stillImage;
   }
 
-  aim(scene, width, height) {
+  aim(width, height) {
     const [right, up] = this.paper().map((axis) => new Vector3(...axis));
     const eye = right.clone().cross(up);
     this.camera.up.copy(up);
@@ -182,10 +202,9 @@ export class Space {
     const [dx, dy] = this.shift.map((s) => s * this.perPixel);
     Object.assign(this.camera, { left: -x - dx, right: x - dx, top: y + dy, bottom: -y + dy });
     this.camera.updateProjectionMatrix();
-    scene.add(new AmbientLight(0xffffff, 0.65));
     const light = new DirectionalLight(0xffffff, 0.5);
     light.position.copy(eye).add(new Vector3(0.3, 0.2, 0.6));
-    scene.add(light);
+    this.lights = [new AmbientLight(0xffffff, 0.65), light];
   }
 
   colour(name) {
@@ -197,8 +216,8 @@ export class Space {
     return minus(p, this.center);
   }
 
-  // Lines lie over each other in the order they are added, and over the tool.
-  addLines(polylines, colour, width, dashed = false) {
+  // Lines lie over each other in the order they are added.
+  addLines(group, polylines, colour, width, dashed = false) {
     const ends = [];
     for (const points of polylines)
       for (let i = 1; i < points.length; ++i) ends.push(...this.local(points[i - 1]), ...this.local(points[i]));
@@ -211,36 +230,36 @@ export class Space {
     if (dashed) material.defines.USE_DASH = '';
     material.resolution = this.resolution;
     material.depthTest = false;
-    material.transparent = true; // drawn with the tool, in the order given
+    material.transparent = true; // drawn in the order given
     const lines = new LineSegments2(geometry, material);
     if (dashed) lines.computeLineDistances();
     lines.frustumCulled = false;
-    lines.renderOrder = this.group.children.length + (this.group === this.still ? 0 : 100);
-    this.group.add(lines);
+    lines.renderOrder = group.children.length;
+    group.add(lines);
   }
 
-  addCourses(courses, factor) {
+  addCourses(group, courses, factor) {
     const { run } = this;
     for (const course of courses)
       for (const rapid of [true, false]) {
         const lines = run.steps.map((step, i) => (Boolean(step.rapid) === rapid ? run.line(course, i, factor) : null));
-        this.addLines(lines.filter(Boolean), course, WIDTH[course], rapid);
+        this.addLines(group, lines.filter(Boolean), course, WIDTH[course], rapid);
       }
   }
 
-  addSelected(courses, index, selected, factor, hidden) {
+  addSelected(group, courses, index, selected, factor, hidden) {
     const { run } = this;
     for (const course of courses)
-      this.addLines(selected.map((i) => run.line(course, i, factor)).filter(Boolean), course, WIDTH[course] + 3);
+      this.addLines(group, selected.map((i) => run.line(course, i, factor)).filter(Boolean), course, WIDTH[course] + 3);
     for (const i of selected)
       if (run.steps[i].programmed && run.steps[i].point)
-        this.addLines([[run.place('programmed', i), run.tip(i)]], 'vector', 3);
+        this.addLines(group, [[run.place('programmed', i), run.tip(i)]], 'vector', 3);
     const step = run.steps[index];
     if (step && step.other && step[run.compared] && !hidden.has('other'))
-      this.addLines([[run.place(run.compared, index), run.drawn('other', index, factor).slice(-1)[0]]], 'off', 3);
+      this.addLines(group, [[run.place(run.compared, index), run.drawn('other', index, factor).slice(-1)[0]]], 'off', 3);
   }
 
-  addRecording(factor) {
+  addRecording(group, factor) {
     const { run } = this;
     const followed = [];
     const off = [];
@@ -249,12 +268,12 @@ export class Space {
         run.sample(i - 1, factor),
         run.sample(i, factor),
       ]);
-    this.addLines(followed, 'recorded', 1.5);
-    this.addLines(off, 'off', 2.5);
+    this.addLines(group, followed, 'recorded', 1.5);
+    this.addLines(group, off, 'off', 2.5);
   }
 
   // The tool at the end of the step: turned about its axis, its tip at the tool point.
-  addTool(index) {
+  addTool(group, index) {
     if (!this.run.steps.length) return;
     const shape = this.run.tools[this.run.steps[Math.max(index, 0)].tool];
     const profile = shape ? this.profileOf(shape) : [[0, 0], [0.012, 0.05], [0.012, 0.2], [0, 0.2]].map(
@@ -270,8 +289,7 @@ export class Space {
     const tool = new Mesh(geometry, material);
     tool.position.set(...this.local(this.run.tip(index)));
     tool.quaternion.copy(new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), new Vector3(...this.axis(index))));
-    tool.renderOrder = -1;
-    this.group.add(tool);
+    group.add(tool);
   }
 
   // The tool axis in force: that of the step, or the last one before it.
