@@ -189,6 +189,7 @@ function __toolcomp_complete
     set -e words[1]
     set -l word (commandline -ct)
     set -l head (string match -r -- '^--[^=]*=' $word)
+    set -q head[1]; or set head ''
     for line in ($command complete $words "$word" 2>/dev/null)
         switch $line
             case :files

@@ -69,7 +69,7 @@ TEST_F(Manual, SaysEveryOptionAndHasItsSections) {
          {"NAME", "SYNOPSIS", "DESCRIPTION", "OPTIONS", "EXIT STATUS", "ENVIRONMENT", "EXAMPLES", "SEE ALSO"})
       EXPECT_NE(page.find(".Sh " + section + '\n'), std::string::npos) << verb << ' ' << section;
     const std::string shown =
-        command("mandoc -T ascii " + folder.path("man/toolcomp-" + verb + ".1") + " | col -b").out;
+        command("mandoc -T ascii " + folder.path("man/toolcomp-" + verb + ".1") + " | col -bx").out;
     for (const std::string& line : lines_of(toolcomp("complete " + verb + " -").out))
       EXPECT_NE(shown.find(line.substr(0, line.find('\t'))), std::string::npos) << verb << ": " << line;
   }
@@ -77,7 +77,7 @@ TEST_F(Manual, SaysEveryOptionAndHasItsSections) {
 
 // Words of the registry of keys and parameters.
 TEST_F(Manual, SaysTheKeysAndParametersOfSetups) {
-  const std::string shown = command("mandoc -T ascii " + folder.path("man/toolcomp-setup.5") + " | col -b").out;
+  const std::string shown = command("mandoc -T ascii " + folder.path("man/toolcomp-setup.5") + " | col -bx").out;
   for (const std::string name :
        {"units", "g49_sets_h0", "19680", "5001#2", "workpiece", "dr2table", "DPI: numbers without"})
     EXPECT_NE(shown.find(name), std::string::npos) << name;
@@ -92,7 +92,7 @@ TEST_F(Manual, WhatIsShownRuns) {
     fs::copy_file(example + "setup.toml", place.path("setup.toml"));
     static_cast<void>(place.write("case.json", R"({"case":1,"setup":{"control":"fanuc"},"program":"G00 X1.\n"})"));
     const std::string run = read(page);
-    for (const std::string& line : lines_of(command("mandoc -T ascii -O width=400 " + page + " | col -b").out)) {
+    for (const std::string& line : lines_of(command("mandoc -T ascii -O width=400 " + page + " | col -bx").out)) {
       const std::size_t prompt = line.find("$ ");
       if (prompt == std::string::npos || line.find_first_not_of(' ') != prompt) continue;
       ++shown;

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Runs a command with standard error (or everything) on a terminal, types what is asked, and prints what was shown.
 
-usage: terminal.py [--columns N] [--all] [--type TEXT]... -- COMMAND [ARGUMENT...]
+usage: terminal.py [--columns N] [--type TEXT --until WORD]... -- COMMAND [ARGUMENT...]
 
-Without --all standard output is a pipe that is thrown away. Each TEXT is typed once the terminal has been still for a
-moment; Python's escapes, such as \\t, are understood. The exit status is that of the command, or 0 where it had to be
-ended after the last text.
+Without --type standard output is thrown away. Each TEXT is typed, and what is shown is read until WORD is in it; Python's
+escapes, such as \\t, are understood in TEXT. Behind the last one the command is ended. The exit status is that of the
+command, 0 where it was ended, 1 where a WORD did not come.
 """
 import argparse
 import fcntl
@@ -18,17 +18,19 @@ import sys
 import termios
 import time
 
-STILL = 0.7  # seconds
-LONGEST = 60
+LONGEST = 60  # seconds
 
 
-def read_until_still(terminal, process, still):
+def read_until(terminal, process, word):
+    """What is shown until the word is in it, or the command has ended."""
     shown = b""
     begun = time.monotonic()
-    while time.monotonic() - begun < LONGEST:
-        ready, _, _ = select.select([terminal], [], [], still)
+    while word not in shown if word else True:
+        if time.monotonic() - begun > LONGEST:
+            break
+        ready, _, _ = select.select([terminal], [], [], 0.2)
         if not ready:
-            if still == STILL or process.poll() is not None:
+            if process.poll() is not None:
                 break
             continue
         try:
@@ -44,8 +46,8 @@ def read_until_still(terminal, process, still):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--columns", type=int, default=80)
-    parser.add_argument("--all", action="store_true")
     parser.add_argument("--type", action="append", default=[])
+    parser.add_argument("--until", action="append", default=[])
     parser.add_argument("command", nargs="+")
     args = parser.parse_args()
 
@@ -56,23 +58,21 @@ def main():
         os.setsid()
         fcntl.ioctl(end, termios.TIOCSCTTY, 0)
 
-    everything = args.all or args.type
     process = subprocess.Popen(args.command, stdin=end if args.type else subprocess.DEVNULL,
-                               stdout=end if everything else subprocess.DEVNULL, stderr=end, preexec_fn=take_terminal)
+                               stdout=end if args.type else subprocess.DEVNULL, stderr=end, preexec_fn=take_terminal)
     os.close(end)
-    shown = b""
-    for text in args.type:
-        shown += read_until_still(terminal, process, STILL)
+    if not args.type:
+        sys.stdout.buffer.write(read_until(terminal, process, None))
+        return process.wait()
+    came = True
+    for text, word in zip(args.type, args.until, strict=True):
         os.write(terminal, text.encode().decode("unicode_escape").encode())
-    shown += read_until_still(terminal, process, STILL if args.type else 0.2)
-    if process.poll() is None:
-        process.kill()
-        process.wait()
-        status = 0
-    else:
-        status = process.returncode
-    sys.stdout.buffer.write(shown)
-    return status
+        shown = read_until(terminal, process, word.encode())
+        came = came and word.encode() in shown
+        sys.stdout.buffer.write(shown)
+    process.kill()
+    process.wait()
+    return 0 if came else 1
 
 
 sys.exit(main())
