@@ -262,7 +262,8 @@ TEST(Setup, ErrorsNamePlaceFaultAndExpectation) {
       unknown.starts_with("f.toml:2:2: setup: unknown key \"unit\"; expected one of control, units, axes, increment, "
                           "cutter_compensation, type_b_without_perpendicular, rotary_angles, "))
       << unknown;
-  EXPECT_TRUE(unknown.ends_with(", block_skip, parameters, offsets, workpiece, position, reference, measurement"))
+  EXPECT_TRUE(unknown.ends_with(
+      ", block_skip, parameters, offsets, workpiece, position, reference, measurement; did you mean units?"))
       << unknown;
   EXPECT_EQ(toml_error("axes = [\"X\", \"Q\"]"),
             "f.toml:1:14: axes: \"Q\" is no axis; expected one of A B C U V W X Y Z");
