@@ -189,7 +189,7 @@ def edits(browser, url, program):
     browser.settle()
     result["after"] = browser.value(words)
     changed_program(program, lambda _: b"N10 G01 X\xff\n" + good)
-    result["fault"] = wait(browser, "document.querySelector('.fault.fault [class=bad], .fault .bad')")
+    result["fault"] = wait(browser, "Boolean(document.querySelector('.fault .bad'))")
     result["fault_text"] = browser.value("document.querySelector('.fault').textContent")
     changed_program(program, lambda _: good)
     result["mended"] = wait(browser, f"Boolean({FIGURE} && {FIGURE}.dataset.block)")
