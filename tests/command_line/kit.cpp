@@ -420,7 +420,7 @@ TEST_F(Kit, BadInputToMakeIsNamedWithItsPlace) {
   refused(make(kMachine, " --travel X=3"), "--travel: \"X=3\": a travel is AXIS=LEAST,GREATEST");
   refused(make(kMachine, " --travel X=-1,5 --travel Y=-250,250 --travel Z=-9,9"), "the place of the marks");
   refused(make(kMachine, kTravels + " --dialect heidenhain"), "control is fanuc, --dialect heidenhain");
-  refused(make(kMachine, kTravels + " --section fanuc/nothing"), "no vectors of section fanuc/nothing");
+  refused(make(kMachine, kTravels + " --section fanuc/nothing"), "no section \"fanuc/nothing\"");
   fs::create_directories(folder.path("full"));
   std::ignore = folder.write("full/x", "");
   refused(make(kMachine, kTravels, "full"), "is not empty");
