@@ -10,6 +10,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -385,10 +386,13 @@ TEST(Batch, GivesWhatTextGives) {
   // Alarms end a path: short ones meet more corners of each kind.
   constexpr std::size_t kBlocks = 400;
   constexpr std::uint64_t kPaths = test::kSanitized ? 20 : 600;
+  // TOOLCOMP_BATCH_MOVES=1000000: as many paths as it takes to so many moves of each shape.
+  const char* const wanted = std::getenv("TOOLCOMP_BATCH_MOVES");  // NOLINT(concurrency-mt-unsafe): one thread
+  const std::uint64_t most = wanted == nullptr ? 0 : std::strtoull(wanted, nullptr, 10);
   for (const Shape& shape : shapes()) {
     std::uint64_t as_arrays = 0;
     std::uint64_t moves = 0;
-    for (std::uint64_t seed = 1; seed <= kPaths; ++seed) {
+    for (std::uint64_t seed = 1; most == 0 ? seed <= kPaths : moves < most; ++seed) {
       const std::string why = broken(shape, seed, kBlocks, &as_arrays, &moves);
       ASSERT_EQ(why, "");
     }
