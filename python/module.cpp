@@ -18,9 +18,8 @@ PYBIND11_MODULE(_core, module) {
   module.attr("version") = TOOLCOMP_VERSION;
   module.attr("has_specification") = formal::available();
   module.def("sections", [] {
-    std::vector<std::string> names;
-    for (const std::string_view section : fuzz::sections()) names.emplace_back(section);
-    return names;
+    const auto names = fuzz::sections();
+    return std::vector<std::string>(names.begin(), names.end());
   });
   module.def("fields", &certify::all_fields);
   python::bind_errors(module);

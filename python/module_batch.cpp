@@ -31,44 +31,10 @@ py::array view(std::span<const Number> values, const py::capsule& owner) {
   return py::array_t<Number>({values.size()}, {sizeof(Number)}, values.data(), owner);
 }
 
-// Memory of moves that nobody looks at any more, for the next ones: pages that are new cost more than what is computed.
-class SpareMoves {
- public:
-  explicit SpareMoves(std::size_t axes) : axes_(axes) {}
-
-  std::unique_ptr<fast::Moves> take() {
-    const std::scoped_lock lock(mutex_);
-    return spare_ ? std::move(spare_) : std::make_unique<fast::Moves>(axes_);
-  }
-  void give(std::unique_ptr<fast::Moves> moves) {
-    const std::scoped_lock lock(mutex_);
-    moves->clear();
-    spare_ = std::move(moves);
-  }
-
- private:
-  std::mutex mutex_;
-  std::size_t axes_;
-  std::unique_ptr<fast::Moves> spare_;
-};
-
-// What arrays of moves own together.
-struct OwnedMoves {
-  std::unique_ptr<fast::Moves> moves;
-  std::shared_ptr<SpareMoves> spare;
-
-  OwnedMoves(std::unique_ptr<fast::Moves> owned, std::shared_ptr<SpareMoves> back)
-      : moves(std::move(owned)), spare(std::move(back)) {}
-  ~OwnedMoves() { spare->give(std::move(moves)); }
-  OwnedMoves(const OwnedMoves&) = delete;
-  OwnedMoves& operator=(const OwnedMoves&) = delete;
-};
-
 // A batch that one thread uses at a time; others wait, without the GIL.
 class Batch final : private fast::EventSink {
  public:
-  explicit Batch(const spec::Setup& setup)
-      : axes_(setup.axes), spare_(std::make_shared<SpareMoves>(axes_.size())), batch_(setup, this) {}
+  explicit Batch(const spec::Setup& setup) : axes_(setup.axes), batch_(setup, this) {}
 
   void run(const std::string& text) {
     const py::gil_scoped_release released;
@@ -78,6 +44,7 @@ class Batch final : private fast::EventSink {
 
   void lines(const std::vector<Column>& columns) {
     std::vector<fast::WordColumn> words;
+    words.reserve(columns.size());
     for (const auto& [word, array, decimals] : columns) {
       if (array.ndim() != 1) throw std::invalid_argument(word + ": not one-dimensional");
       words.push_back({word, {array.data(), static_cast<std::size_t>(array.size())}, decimals});
@@ -95,16 +62,17 @@ class Batch final : private fast::EventSink {
 
   // The moves so far, which are the caller's from now on: blocks, and an array for each axis.
   std::pair<py::array, std::vector<std::pair<std::string, py::array>>> moves() {
-    std::unique_ptr<fast::Moves> taken = spare_->take();
+    auto taken = std::make_unique<fast::Moves>(axes_.size());
     {
       const py::gil_scoped_release released;
       const std::scoped_lock lock(mutex_);
       std::swap(*taken, batch_.moves());
     }
     const fast::Moves& moves = *taken;
-    const py::capsule owner(std::make_unique<OwnedMoves>(std::move(taken), spare_).release(),
-                            [](void* owned) { delete static_cast<OwnedMoves*>(owned); });
+    const py::capsule owner(taken.get(), [](void* owned) { delete static_cast<fast::Moves*>(owned); });
+    static_cast<void>(taken.release());
     std::vector<std::pair<std::string, py::array>> arrays;
+    arrays.reserve(axes_.size());
     for (std::size_t i = 0; i < axes_.size(); ++i)
       arrays.emplace_back(std::string(1, axes_.letter(i)), view(moves.axis(i), owner));
     return {view(moves.block(), owner), std::move(arrays)};
@@ -112,6 +80,7 @@ class Batch final : private fast::EventSink {
 
   // Events that are no moves, since the last call, as JSON.
   std::vector<std::string> events() {
+    const py::gil_scoped_release released;
     const std::scoped_lock lock(mutex_);
     return std::exchange(events_, {});
   }
@@ -127,7 +96,6 @@ class Batch final : private fast::EventSink {
 
   std::mutex mutex_;
   spec::Axes axes_;
-  std::shared_ptr<SpareMoves> spare_;
   std::vector<std::string> events_;
   fast::Batch batch_;
 };

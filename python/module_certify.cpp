@@ -80,6 +80,7 @@ void name_controller(certify::CampaignOptions& campaign, const std::string& comm
 
 std::vector<certify::CaseInput> inputs_of(const Asked& asked) {
   std::vector<certify::CaseInput> inputs;
+  inputs.reserve(asked.programs.size());
   for (const auto& program : asked.programs) {
     inputs.push_back({program->as_case(), certify::Origin::own});
     certify::input::expect_readable(inputs.back().c, program->path());
@@ -164,12 +165,14 @@ std::shared_ptr<certify::Certificate> certify_asked(const Asked& asked) {
 
 std::vector<std::string> finding_texts(const certify::Certificate& certificate) {
   std::vector<std::string> texts;
+  texts.reserve(certificate.findings.size());
   for (const certify::Finding& finding : certificate.findings) texts.push_back(certify::write_finding(finding));
   return texts;
 }
 
 std::vector<std::string> explanations(const certify::Certificate& certificate) {
   std::vector<std::string> texts;
+  texts.reserve(certificate.findings.size());
   for (const certify::Finding& finding : certificate.findings)
     texts.push_back(certify::explanation(finding) + certify::how_it_comes(finding));
   return texts;

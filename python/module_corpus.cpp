@@ -17,6 +17,7 @@ namespace {
 std::pair<std::string, std::vector<std::pair<std::string, std::string>>> manifest(const std::string& folder) {
   const corpus::Manifest read = corpus::read_manifest(folder);
   std::vector<std::pair<std::string, std::string>> files;
+  files.reserve(read.files.size());
   for (const corpus::ManifestFile& file : read.files) files.emplace_back(file.file, file.section);
   return {read.version, std::move(files)};
 }

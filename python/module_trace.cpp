@@ -43,6 +43,7 @@ class ArraySource final : public certify::SampleSource {
  public:
   ArraySource(std::vector<Column> columns, std::optional<std::span<const double>> time, double resolution)
       : columns_(std::move(columns)), time_(time), resolution_(resolution) {
+    recorded_.reserve(columns_.size());
     for (const Column& column : columns_) recorded_.push_back(column.axis);
     size_ = columns_.empty() ? 0 : columns_.front().values.size();
   }
@@ -104,6 +105,7 @@ ArraySource source_of(const Columns& given, const std::optional<Array>& time, do
   if (given.empty()) throw std::invalid_argument("a recording needs at least one axis");
   const auto size = static_cast<std::size_t>(given.front().second.size());
   std::vector<Column> columns;
+  columns.reserve(given.size());
   for (const auto& [name, array] : given) {
     const std::size_t axis = name.size() == 1 ? axes.index(name.front()) : spec::Axes::kNone;
     if (axis == spec::Axes::kNone)

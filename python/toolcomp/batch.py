@@ -18,7 +18,7 @@ FloatArray = npt.NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Moves:
-    """The moves of many blocks: arrays of one length. They are views of the memory the engine wrote to, and keep it."""
+    """The moves of many blocks: arrays of one length, views of the memory the engine wrote to, which they keep."""
 
     #: by axis letter: what the axis is sent to, workpiece coordinates, setup units or degrees; nan where a move does not
     #: name it
@@ -57,12 +57,13 @@ class Batch:
     ) -> None:
         """As many blocks as the arrays have values, each of all their words, under the modes in force.
 
-        Contiguous arrays of float64 are looked at where they are; others are converted, which is a copy. Each word is the
-        decimal of so many places nearest to the value, as a post processor prints it.
+        Contiguous arrays of float64 are looked at where they are; others are converted, which is a copy. Each word is
+        the decimal of so many places nearest to the value, as a post processor prints it.
 
         :param columns: arrays by word: a letter; Klartext vectors: NX NY NZ TX TY TZ. Or by name, ``lines(X=x, Y=y)``
         :param decimals: of all words, or by word (3 where it has none); 9 at most
-        :raises ValueError: and nothing is done: arrays of different lengths, words no line has, values that are no numbers
+        :raises ValueError: and nothing is done: arrays of different lengths, words no line has, values that are no
+            numbers
         """
         given = {**(columns or {}), **words}
         places = decimals if isinstance(decimals, Mapping) else dict.fromkeys(given, decimals)

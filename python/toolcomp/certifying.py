@@ -95,8 +95,8 @@ def certify(
 
     A controller in Python is called with the GIL held; nothing limits its time. What it raises is a finding of kind
     "crash" with its traceback, and the next case is asked; KeyboardInterrupt and what else is no Exception ends the
-    campaign and passes through, as does everything with `raise_errors`. With `report`, what was found so far is written
-    before.
+    campaign and passes through, as does everything with `raise_errors`. With `report`, what was found so far is
+    written before.
 
     :param controller: a function from a :class:`Case` to events, an object with ``hello`` and ``answer``, a command that
         speaks the protocol, the name of an adapter, or "fast" or "spec" for engines of ours

@@ -12,8 +12,8 @@ class Error(Exception):
 class InputError(Error, ValueError):
     """Input that nobody could read: bytes that are no text, malformed cases and setups, missing files.
 
-    ``str()`` of it is ``FILE:LINE:COLUMN: message``, as the command prints it. What a control refuses is no error but an
-    alarm among the events.
+    ``str()`` of it is ``FILE:LINE:COLUMN: message``, as the command prints it. What a control refuses is no error but
+    an alarm among the events.
 
     :ivar message: what is wrong, and what was expected
     :ivar file: which file or argument; ``""`` where there is none

@@ -1,5 +1,5 @@
-"""Events: what a run yields, in order. docs/events.md says what each field means; lengths are in the units of the setup,
-angles in degrees, numbers exact where an exact engine gave them (:data:`toolcomp.Number`)."""
+"""Events: what a run yields, in order. docs/events.md says what each field means; lengths are in the units of the
+setup, angles in degrees, numbers exact where an exact engine gave them (:data:`toolcomp.Number`)."""
 
 from __future__ import annotations
 
@@ -40,7 +40,8 @@ class _Event:
     def __repr__(self) -> str:
         """The fields that it has."""
         said = ((each.name, getattr(self, each.name)) for each in fields(self))
-        return f"{type(self).__name__}({', '.join(f'{name}={value!r}' for name, value in said if not _is_empty(value))})"
+        words = ", ".join(f"{name}={value!r}" for name, value in said if not _is_empty(value))
+        return f"{type(self).__name__}({words})"
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)

@@ -1,6 +1,6 @@
 """A million blocks as arrays: from Python and from C++, turn about in one run. Each turn is the best of some runs in a
-process that has done one before, and ends with the moves at hand. "new" begins with a new batch; "chunks" gives one batch
-a tenth of the lines at a time and drops the moves before it goes on (C++: uses their memory again).
+process that has done one before, and ends with the moves at hand. "new" begins with a new batch; "chunks" gives one
+batch a tenth of the lines at a time and drops the moves before it goes on (C++: uses their memory again).
 
     PYTHONPATH=build/release/python python3 tests/python/bench_batch.py build/release/toolcomp_batch_million
 """
@@ -19,8 +19,8 @@ import numpy.typing as npt
 import toolcomp
 
 LINES = 1_000_000
-TURNS = 5
-RUNS = 4
+TURNS = 15
+RUNS = 3
 SETUP = 'control = "fanuc"\n[offsets.D]\n1 = "4.95"\n[offsets.H]\n1 = 20\n'
 HEADS = {
     "length offset": ("XYZ", "G90 G01 F1000\nG43 H1 Z0\n"),
@@ -34,7 +34,8 @@ def ring() -> Columns:
     """A wavy ring, a line half a millimetre long."""
     turn = 2 * np.pi * np.arange(LINES) / 4096
     radius = 0.5 * 4096 / (2 * np.pi) + np.sin(7 * turn)
-    return {"X": np.round(radius * np.cos(turn), 3), "Y": np.round(radius * np.sin(turn), 3), "Z": np.round(5 * np.sin(3 * turn), 3)}
+    places = {"X": radius * np.cos(turn), "Y": radius * np.sin(turn), "Z": 5 * np.sin(3 * turn)}
+    return {word: np.round(values, 3) for word, values in places.items()}
 
 
 def in_python(columns: Columns, head: str, chunks: int) -> float:
@@ -82,7 +83,7 @@ def ratios(program: str) -> dict[str, tuple[float, float]]:
                 pairs = [
                     (in_python(given, head, chunks), in_cpp(program, words, file, head, chunks)) for _ in range(TURNS)
                 ]
-                python, cpp = map(min, zip(*pairs))
+                python, cpp = min(pair[0] for pair in pairs), min(pair[1] for pair in pairs)
                 result[f"{name}, {how}"] = (python / LINES * 1e9, python / cpp)
     return result
 

@@ -84,24 +84,6 @@ def test_arrays_come_out_without_a_copy_and_keep_their_memory() -> None:
     assert x.tolist() == list(range(1000))
 
 
-def test_memory_is_used_again_where_nobody_looks_at_it_any_more() -> None:
-    batch = toolcomp.Batch(SETUP)
-    batch.run("G90 G01 F100\n")
-    places = []
-    for chunk in range(4):
-        batch.lines(X=np.full(100_000, float(chunk)))
-        moves = batch.moves()
-        assert moves.axes["X"].tolist() == [float(chunk)] * 100_000
-        places.append(moves.axes["X"].ctypes.data)
-        del moves
-    assert places[2:] == places[:2]
-    batch.lines(X=np.full(100_000, 5.0))
-    kept = batch.moves().axes["X"]
-    del batch
-    gc.collect()
-    assert kept.tolist() == [5.0] * 100_000
-
-
 def test_klartext_vectors() -> None:
     setup = 'control = "heidenhain"\n[[tool]]\nnumber = 1\nR = 6\nR2 = 6\nDR = -1\nDR2 = -1\n'
     batch = toolcomp.Batch(setup)

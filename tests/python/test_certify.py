@@ -225,7 +225,8 @@ def test_what_cannot_be() -> None:
 
 def test_progress_and_time_limit() -> None:
     seen: list[tuple[int, int]] = []
-    toolcomp.certify(right, sections=SECTION, cases=10, corpus=False, progress=lambda done, all: seen.append((done, all)))
+    told = lambda done, all: seen.append((done, all))  # noqa: E731
+    toolcomp.certify(right, sections=SECTION, cases=10, corpus=False, progress=told)
     assert seen == [(k, 10) for k in range(1, 11)]
     verdict = toolcomp.certify("fast", corpus=False, time_limit=0.5)
     assert verdict.exit_status == 3 and verdict.text == "not decided: time limit"

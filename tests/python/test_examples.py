@@ -1,14 +1,11 @@
-"""The examples, and what docs/python.md shows."""
+"""The examples. tests/documentation runs what docs/python.md shows."""
 
 from __future__ import annotations
 
 import os
-import re
 import subprocess
 import sys
 from pathlib import Path
-
-import pytest
 
 import toolcomp
 
@@ -36,14 +33,3 @@ def test_plot_program(source: Path, tmp_path: Path) -> None:
     said = run(source, "examples/python/plot_program.py", str(picture))
     assert said.startswith("does not conform")
     assert picture.read_bytes().startswith(b"\x89PNG") and picture.stat().st_size > 20_000
-
-
-def test_documentation(source: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    page = (source / "docs/python.md").read_text()
-    blocks = re.findall(r"^```python\n(.*?)^```", page, re.MULTILINE | re.DOTALL)
-    assert len(blocks) >= 6
-    (tmp_path / "examples").symlink_to(source / "examples")
-    monkeypatch.chdir(tmp_path)
-    names: dict[str, object] = {"__name__": "page"}
-    for block in blocks:
-        exec(compile(block, "docs/python.md", "exec"), names)
