@@ -9,8 +9,6 @@
 #include "fuzz/gen/generator.h"
 #include "python/bindings.h"
 
-namespace py = pybind11;
-
 // NOLINTNEXTLINE(*): the macro's
 PYBIND11_MODULE(_core, module) {
   using namespace toolcomp;  // NOLINT(google-build-using-namespace): what the macro opens is in none

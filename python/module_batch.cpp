@@ -68,9 +68,8 @@ class Batch final : private fast::EventSink {
       const std::scoped_lock lock(mutex_);
       std::swap(*taken, batch_.moves());
     }
-    const fast::Moves& moves = *taken;
     const py::capsule owner(taken.get(), [](void* owned) { delete static_cast<fast::Moves*>(owned); });
-    static_cast<void>(taken.release());
+    const fast::Moves& moves = *taken.release();
     std::vector<std::pair<std::string, py::array>> arrays;
     arrays.reserve(axes_.size());
     for (std::size_t i = 0; i < axes_.size(); ++i)

@@ -121,8 +121,7 @@ std::string Ending::why() {
 
 void Ending::rethrow() {
   if (!error_) return;
-  py::error_already_set error = *std::exchange(error_, std::nullopt);
-  throw error;
+  throw py::error_already_set(*std::exchange(error_, std::nullopt));
 }
 
 std::unique_ptr<certify::Subject> python_subject(const PythonController& controller, Ending& ending) {
