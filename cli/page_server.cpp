@@ -7,7 +7,7 @@
 #include <boost/asio/write.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
-#include <boost/system/error_code.hpp>
+#include <boost/system/system_error.hpp>
 #include <deque>
 #include <list>
 #include <sstream>
@@ -78,8 +78,7 @@ class Listener : public std::enable_shared_from_this<Listener> {
   }
   void close() {
     gone_ = true;
-    Error ignored;
-    stream_.socket().close(ignored);
+    stream_.close();
   }
   [[nodiscard]] bool gone() const { return gone_; }
 
@@ -110,10 +109,7 @@ class Client : public std::enable_shared_from_this<Client> {
  public:
   Client(State& state, tcp::socket socket) : state_(state), stream_(std::move(socket)) {}
 
-  void close() {
-    Error ignored;
-    stream_.socket().close(ignored);
-  }
+  void close() { stream_.close(); }
   void read() {
     parser_.emplace();
     parser_->header_limit(kMostHeader);
@@ -179,8 +175,8 @@ class Client : public std::enable_shared_from_this<Client> {
                       [self = shared_from_this()](Error error, std::size_t) {
                         if (error) return;
                         if (self->go_on_) return self->read();
-                        Error ignored;
-                        self->stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
+                        Error end;
+                        end = self->stream_.socket().shutdown(tcp::socket::shutdown_send, end);
                         self->stream_.expires_after(kToGo);
                         self->drain();
                       });
@@ -252,15 +248,18 @@ void tick(State& state, std::chrono::milliseconds interval, const std::function<
 }
 
 Error listen_on(State& state, std::uint16_t port) {
-  Error error;
-  const tcp::endpoint here(asio::ip::address_v4::loopback(), port);
-  if (state.acceptor.is_open()) state.acceptor.close(error);
-  state.acceptor.open(here.protocol(), error);
-  if (!error) state.acceptor.set_option(tcp::acceptor::reuse_address(true), error);
-  if (!error) state.acceptor.bind(here, error);
-  if (!error) state.acceptor.listen(asio::socket_base::max_listen_connections, error);
-  if (!error) state.port = state.acceptor.local_endpoint(error).port();
-  return error;
+  try {
+    const tcp::endpoint here(asio::ip::address_v4::loopback(), port);
+    tcp::acceptor acceptor(state.io, here.protocol());
+    acceptor.set_option(tcp::acceptor::reuse_address(true));
+    acceptor.bind(here);
+    acceptor.listen();
+    state.port = acceptor.local_endpoint().port();
+    state.acceptor = std::move(acceptor);
+    return {};
+  } catch (const boost::system::system_error& error) {
+    return error.code();
+  }
 }
 
 }  // namespace
@@ -287,7 +286,7 @@ void PageServer::show(std::string page, std::string version) {
   });
 }
 
-void PageServer::run(std::chrono::milliseconds interval, std::function<void()> at_times) {
+void PageServer::run(std::chrono::milliseconds interval, const std::function<void()>& at_times) {
   accept(*state_);
   beat(*state_);
   tick(*state_, interval, at_times);

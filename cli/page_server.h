@@ -30,7 +30,7 @@ class PageServer {
   // From any thread.
   void show(std::string page, std::string version);
   // Serves until stop(); calls `at_times` every `interval`.
-  void run(std::chrono::milliseconds interval, std::function<void()> at_times);
+  void run(std::chrono::milliseconds interval, const std::function<void()>& at_times);
   void stop();
 
  private:

@@ -36,7 +36,7 @@ std::string usual_file(const ViewOptions& options) {
   if (!fs::exists(file, error)) return file;
   std::string head(kHead, '\0');
   head.resize(spec::file_source(file)->read(head.data(), head.size()));
-  if (head.find("name=\"generator\" content=\"toolcomp\"") == std::string::npos)
+  if (head.find(R"(name="generator" content="toolcomp")") == std::string::npos)
     throw spec::InputError(file, 0, 0, "is there and no page of toolcomp; name another one with --out");
   return file;
 }

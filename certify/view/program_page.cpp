@@ -63,7 +63,7 @@ std::string program_page(const spec::Case& c, const ProgramView& view, const Pat
 
 std::string fault_page(const spec::InputError& fault, const ProgramPageNames& names) {
   return page(title_of(names),
-              head(names) + "<main class=\"fault\" role=\"alert\"><p class=\"bad\"><b>" + escape(fault.what()) +
+              head(names) + R"(<main class="fault" role="alert"><p class="bad"><b>)" + escape(fault.what()) +
                   "</b></p>\n" + lines_about(fault) +
                   "<p class=\"soft\">The page comes back when this is mended.</p></main>\n",
               options_of(names));
