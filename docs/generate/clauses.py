@@ -6,7 +6,7 @@ import html
 import json
 import re
 
-from tree import all_clauses, clauses, toolcomp
+from tree import ROOT, all_clauses, clauses, toolcomp
 
 KINDS = {
     "normative": "what the manual rules",
@@ -39,7 +39,7 @@ REASONS = {
 @functools.cache
 def places():
     """What `toolcomp spec trace` says of each clause."""
-    return {entry["id"]: entry for entry in json.loads(toolcomp("spec", "trace", "--json"))}
+    return {entry["id"]: entry for entry in json.loads(toolcomp("spec", "trace", "--json", "--dir", str(ROOT)))}
 
 
 def plain(formula):
