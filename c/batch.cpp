@@ -8,8 +8,8 @@
 
 #include "c/call.h"
 #include "c/events.h"
-#include "c/setup.h"
 #include "c/include/toolcomp.h"
+#include "c/setup.h"
 
 struct toolcomp_batch {
   toolcomp_batch(const toolcomp::spec::Setup& setup, toolcomp_on_event on_event, void* user)
@@ -25,10 +25,8 @@ using toolcomp::c::need;
 toolcomp_status toolcomp_batch_new(const toolcomp_setup* setup, toolcomp_on_event on_event, void* user,
                                    toolcomp_batch** batch, toolcomp_error* error) {
   return guarded(error, [&] {
-    need(setup, "setup");
-    need(batch, "batch");
-    *batch = nullptr;
-    *batch = std::make_unique<toolcomp_batch>(setup->value, on_event, user).release();
+    need(batch, "batch") = nullptr;
+    *batch = std::make_unique<toolcomp_batch>(need(setup, "setup").value, on_event, user).release();
   });
 }
 
@@ -36,9 +34,9 @@ toolcomp_status toolcomp_batch_run(toolcomp_batch* batch, const char* text, size
   return guarded(
       error,
       [&] {
-        need(batch, "batch");
+        toolcomp_batch& run = need(batch, "batch");
         need(text, "text");
-        batch->batch.run({text, length});
+        run.batch.run({text, length});
       },
       batch == nullptr ? 0 : batch->batch.blocks());
 }
@@ -46,7 +44,7 @@ toolcomp_status toolcomp_batch_run(toolcomp_batch* batch, const char* text, size
 toolcomp_status toolcomp_batch_lines(toolcomp_batch* batch, const toolcomp_column* columns, size_t column_count,
                                      size_t blocks, toolcomp_error* error) {
   return guarded(error, [&] {
-    need(batch, "batch");
+    toolcomp_batch& run = need(batch, "batch");
     need(columns, "columns");
     std::vector<toolcomp::fast::WordColumn> words;
     words.reserve(column_count);
@@ -55,15 +53,12 @@ toolcomp_status toolcomp_batch_lines(toolcomp_batch* batch, const toolcomp_colum
       if (blocks != 0) need(column.values, column.word);
       words.push_back({column.word, {column.values, blocks}, column.decimals});
     }
-    batch->batch.lines(words);
+    run.batch.lines(words);
   });
 }
 
 toolcomp_status toolcomp_batch_end(toolcomp_batch* batch, toolcomp_error* error) {
-  return guarded(error, [&] {
-    need(batch, "batch");
-    batch->batch.end();
-  });
+  return guarded(error, [&] { need(batch, "batch").batch.end(); });
 }
 
 int toolcomp_batch_stopped(const toolcomp_batch* batch) { return batch->batch.stopped() ? 1 : 0; }

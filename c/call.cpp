@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cstring>
+#include <exception>
 #include <new>
 #include <stdexcept>
-#include <string>
 
 #include "spec/language/input_error.h"
 
@@ -38,10 +38,6 @@ toolcomp_status status_of_exception(toolcomp_error* error, std::uint64_t before)
     report(error, 0, 0, "unknown exception");
     return TOOLCOMP_FAILED;
   }
-}
-
-void need(const void* pointer, const char* name) {
-  if (pointer == nullptr) throw std::invalid_argument(std::string(name) + " is a null pointer");
 }
 
 }  // namespace toolcomp::c

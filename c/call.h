@@ -2,7 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <exception>
+#include <stdexcept>
+#include <string>
 
 #include "c/include/toolcomp.h"
 
@@ -25,7 +26,11 @@ toolcomp_status guarded(toolcomp_error* error, const Call& call, std::uint64_t b
   }
 }
 
-// Throws std::invalid_argument: a pointer that must not be null.
-void need(const void* pointer, const char* name);
+// What a pointer points to that must not be null: throws std::invalid_argument.
+template <class Object>
+Object& need(Object* pointer, const char* name) {
+  if (pointer == nullptr) throw std::invalid_argument(std::string(name) + " is a null pointer");
+  return *pointer;
+}
 
 }  // namespace toolcomp::c

@@ -5,8 +5,8 @@
 
 #include "c/call.h"
 #include "c/events.h"
-#include "c/setup.h"
 #include "c/include/toolcomp.h"
+#include "c/setup.h"
 #include "fast/batch/dialect.h"
 
 struct toolcomp_engine {
@@ -24,11 +24,9 @@ using toolcomp::c::need;
 toolcomp_status toolcomp_engine_new(const toolcomp_setup* setup, uint32_t samples, toolcomp_on_event on_event,
                                     void* user, toolcomp_engine** engine, toolcomp_error* error) {
   return guarded(error, [&] {
-    need(setup, "setup");
-    need(engine, "engine");
-    *engine = nullptr;
-    need(reinterpret_cast<const void*>(on_event), "on_event");
-    *engine = std::make_unique<toolcomp_engine>(setup->value, samples, on_event, user).release();
+    need(engine, "engine") = nullptr;
+    need(on_event, "on_event");
+    *engine = std::make_unique<toolcomp_engine>(need(setup, "setup").value, samples, on_event, user).release();
   });
 }
 
@@ -36,18 +34,15 @@ toolcomp_status toolcomp_engine_run(toolcomp_engine* engine, const char* text, s
   return guarded(
       error,
       [&] {
-        need(engine, "engine");
+        toolcomp_engine& run = need(engine, "engine");
         need(text, "text");
-        engine->lines += engine->engine->run({text, length}, engine->lines);
+        run.lines += run.engine->run({text, length}, run.lines);
       },
       engine == nullptr ? 0 : engine->lines);
 }
 
 toolcomp_status toolcomp_engine_end(toolcomp_engine* engine, toolcomp_error* error) {
-  return guarded(error, [&] {
-    need(engine, "engine");
-    engine->engine->end();
-  });
+  return guarded(error, [&] { need(engine, "engine").engine->end(); });
 }
 
 int toolcomp_engine_stopped(const toolcomp_engine* engine) { return engine->engine->stopped() ? 1 : 0; }

@@ -28,18 +28,16 @@ const char* toolcomp_version() { return TOOLCOMP_VERSION; }
 toolcomp_status toolcomp_setup_from_text(const char* text, size_t length, toolcomp_setup** setup,
                                          toolcomp_error* error) {
   return guarded(error, [&] {
+    need(setup, "setup") = nullptr;
     need(text, "text");
-    need(setup, "setup");
-    *setup = nullptr;
     *setup = read({text, length}, "setup");
   });
 }
 
 toolcomp_status toolcomp_setup_from_file(const char* path, toolcomp_setup** setup, toolcomp_error* error) {
   return guarded(error, [&] {
+    need(setup, "setup") = nullptr;
     need(path, "path");
-    need(setup, "setup");
-    *setup = nullptr;
     *setup = read(toolcomp::spec::read_file(path), path);
   });
 }
