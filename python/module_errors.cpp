@@ -14,6 +14,7 @@ namespace {
 
 py::object none_or(std::uint64_t number) { return number == 0 ? py::object(py::none()) : py::object(py::int_(number)); }
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): pybind11 calls it so
 void translate(std::exception_ptr thrown) {
   const auto raise = [](const char* name, const py::tuple& arguments) {
     const py::object type = py::module_::import("toolcomp.errors").attr(name);
