@@ -28,7 +28,7 @@ struct JudgedCase {
 };
 
 struct CampaignOptions {
-  std::string controller;             // command; empty: the fast engine in this process
+  std::string controller;  // command; empty: the fast engine in this process
   // Makes what is judged instead of the command, which then is its name alone; one for each job.
   std::function<std::unique_ptr<Subject>()> subject;
   std::vector<std::string> sections;  // of the generated cases; empty: every section that is built

@@ -229,7 +229,8 @@ TEST(CInterface, ProgramsInParts) {
 // A square by arrays and as text, the tool of radius 5 outside (right of a counterclockwise way).
 TEST(CInterface, ArraysAreTheSameBlocks) {
   const auto owner = setup();
-  const Events expected = run(owner.get(), "G90 G01 F100 X-20\nG42 D1 X0 Y0\nX40 Y0\nX40 Y40\nX0 Y40\nX0 Y0\nG40 X-20\n");
+  const Events expected =
+      run(owner.get(), "G90 G01 F100 X-20\nG42 D1 X0 Y0\nX40 Y0\nX40 Y40\nX0 Y40\nX0 Y0\nG40 X-20\n");
   Events others;
   toolcomp_batch* made = nullptr;
   ASSERT_EQ(toolcomp_batch_new(owner.get(), keep, &others, &made, nullptr), TOOLCOMP_OK);
