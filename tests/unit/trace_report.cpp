@@ -42,7 +42,8 @@ TEST(SpecReport, UnknownIdNamesTheNearest) {
     show_clause("fanuc.leading-edge.sing", ReportFormat::text);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("did you mean fanuc.leading-edge.sign"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("did you mean fanuc.leading-edge.sign"), std::string::npos)
+        << error.what();
   }
 }
 
