@@ -32,11 +32,11 @@ foreach(name toolcomp toolcomp-engines)
   install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endforeach()
 
-# What the command reads (spec/language/data_folder.h): controllers by name (docs/adapters.md), the golden corpus with its
-# schemas, hard cases, and first inputs of a search.
+# What the command reads (spec/language/data_folder.h): controllers by name (docs/adapters.md), the golden corpus, hard
+# cases, and first inputs of a search. Schemas are installed with the files for editors (cli/manual.cmake).
 set(data ${CMAKE_INSTALL_DATADIR}/toolcomp)
 install(DIRECTORY adapters DESTINATION ${data} USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE)
-foreach(folder golden hard regression schema seeds)
+foreach(folder golden hard regression seeds)
   install(DIRECTORY corpus/${folder} DESTINATION ${data}/corpus)
 endforeach()
 install(FILES corpus/proofs/unproven.json DESTINATION ${data}/corpus/proofs)
