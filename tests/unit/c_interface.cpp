@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <toolcomp.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -18,8 +19,10 @@
 #include <vector>
 
 #include "fast/fanuc/engine.h"
+#include "fast/heidenhain/engine.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/fanuc/program_reader.h"
+#include "spec/language/heidenhain/klartext_reader.h"
 #include "spec/language/setup_format.h"
 
 namespace {
@@ -176,54 +179,100 @@ TEST(CInterface, AnswersSenselessCalls) {
   toolcomp_batch_free(nullptr);
 }
 
-class AxesOfMoves final : public toolcomp::fast::EventSink {
+class MovesAndSamples final : public toolcomp::fast::EventSink {
  public:
   void on(const toolcomp::fast::Event& event) override {
     if (event.kind == toolcomp::spec::EventKind::move || event.kind == toolcomp::spec::EventKind::sample)
-      axes.push_back(event.axes);
+      events.push_back(event);
   }
-  std::vector<toolcomp::spec::AxisValues<double>> axes;
+  std::vector<toolcomp::fast::Event> events;
 };
 
 bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 
+bool same(const double (&numbers)[TOOLCOMP_MOST_AXES], const toolcomp::spec::AxisValues<double>& expected) {
+  for (std::size_t i = 0; i < TOOLCOMP_MOST_AXES; ++i)
+    if (expected.has(i) ? !same_bits(numbers[i], expected.value[i]) : !std::isnan(numbers[i])) return false;
+  return true;
+}
+template <class Vector>
+bool same(const double (&numbers)[3], const Vector* expected) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (expected != nullptr ? !same_bits(numbers[i], (*expected)[i]) : !std::isnan(numbers[i])) return false;
+  return true;
+}
+
+// Every number of a move or a sample.
+bool same(const toolcomp_event& event, const toolcomp::fast::Event& expected) {
+  const auto* const space = expected.space ? &*expected.space : nullptr;
+  const auto* const contact = space != nullptr && space->contact ? &*space->contact : nullptr;
+  return event.line == expected.line && event.cause == static_cast<toolcomp_cause>(expected.cause) &&
+         event.type == static_cast<toolcomp_move_type>(expected.type) && same(event.programmed, expected.programmed) &&
+         same(event.point, expected.point) && same(event.axes, expected.axes) &&
+         same(event.machine, expected.machine) &&
+         same(event.tool_axis, expected.tool_axis ? &*expected.tool_axis : nullptr) &&
+         event.t_numerator == expected.t_numerator && event.t_denominator == expected.t_denominator &&
+         same(event.center, expected.arc ? expected.arc->center : toolcomp::spec::AxisValues<double>{}) &&
+         same(event.tool_center, space != nullptr ? &space->tool_center : nullptr) &&
+         same(event.shift, space != nullptr ? &space->shift : nullptr) &&
+         same(event.tool_shift, space != nullptr ? &space->tool_shift : nullptr) &&
+         same(event.contact, contact != nullptr ? &contact->point : nullptr) &&
+         same(event.normal, contact != nullptr ? &contact->normal : nullptr);
+}
+
+// The engine of C++ on the whole of a program.
+std::vector<toolcomp::fast::Event> whole(const toolcomp::spec::Setup& by, const std::string& program,
+                                         std::uint32_t samples) {
+  MovesAndSamples sink;
+  const auto feed = [](auto& to, auto& reader, auto&& block) {
+    while (!to.stopped() && reader.next(block)) to.block(block);
+    to.end();
+  };
+  if (by.control == toolcomp::spec::Control::heidenhain) {
+    toolcomp::fast::klartext::Engine engine(by, sink);
+    toolcomp::spec::klartext::Reader reader(toolcomp::spec::text_source(program), by);
+    feed(engine, reader, toolcomp::spec::klartext::Block());
+  } else {
+    toolcomp::fast::Engine engine(by, sink, samples);
+    toolcomp::spec::ProgramReader reader(toolcomp::spec::text_source(program), by.axes);
+    feed(engine, reader, toolcomp::spec::Block());
+  }
+  return sink.events;
+}
+
 // Programs of the examples, a line at a time, give what the engine of C++ gives on the whole.
 TEST(CInterface, ProgramsInParts) {
   namespace fs = std::filesystem;
-  std::size_t moves = 0;
-  for (const auto& folder : fs::directory_iterator(TOOLCOMP_SOURCE_DIR "/examples/fanuc"))
-    for (const auto& file : fs::directory_iterator(folder)) {
-      if (file.path().extension() != ".nc" || !fs::exists(folder.path() / "setup.toml")) continue;
-      const std::string program = toolcomp::spec::read_file(file.path());
-      const std::string text = toolcomp::spec::read_file(folder.path() / "setup.toml");
-      const toolcomp::spec::Setup by = toolcomp::spec::read_setup_toml(text, "setup");
-      for (const std::uint32_t samples : {0U, 4U}) {
-        AxesOfMoves expected;
-        toolcomp::fast::Engine whole(by, expected, samples);
-        toolcomp::spec::ProgramReader reader(toolcomp::spec::text_source(program), by.axes);
-        for (toolcomp::spec::Block block; !whole.stopped() && reader.next(block);) whole.block(block);
-        whole.end();
-
-        Events events;
-        const auto owner = setup(text);
-        const auto part = engine(owner.get(), events, samples);
-        for (std::size_t from = 0; from < program.size();) {
-          const std::size_t end = std::min(program.find('\n', from), program.size() - 1) + 1;
-          ASSERT_EQ(toolcomp_engine_run(part.get(), program.data() + from, end - from, nullptr), TOOLCOMP_OK);
-          from = end;
-        }
-        toolcomp_engine_end(part.get(), nullptr);
-        std::erase_if(events, [](const Kept& k) { return k.event.kind > TOOLCOMP_SAMPLE; });
-        ASSERT_EQ(events.size(), expected.axes.size()) << file.path();
-        for (std::size_t i = 0; i < events.size(); ++i)
-          for (std::size_t axis = 0; axis < by.axes.size(); ++axis)
-            if (expected.axes[i].has(axis)) {
-              ASSERT_TRUE(same_bits(events[i].event.axes[axis], expected.axes[i].value[axis])) << file.path() << i;
-            }
-        moves += events.size();
+  std::size_t fanuc = 0;
+  std::size_t with_contact = 0;
+  for (const auto& file : fs::recursive_directory_iterator(TOOLCOMP_SOURCE_DIR "/examples")) {
+    const fs::path beside = file.path().parent_path() / "setup.toml";
+    const bool klartext = file.path().extension() == ".h";
+    if ((file.path().extension() != ".nc" && !klartext) || !fs::exists(beside)) continue;
+    const std::string program = toolcomp::spec::read_file(file.path());
+    const std::string text = toolcomp::spec::read_file(beside);
+    for (const std::uint32_t samples : {0U, 4U}) {
+      const auto expected = whole(toolcomp::spec::read_setup_toml(text, "setup"), program, samples);
+      Events events;
+      const auto owner = setup(text);
+      const auto part = engine(owner.get(), events, samples);
+      for (std::size_t from = 0; from < program.size();) {
+        const std::size_t end = klartext ? program.size() : std::min(program.find('\n', from), program.size() - 1) + 1;
+        ASSERT_EQ(toolcomp_engine_run(part.get(), program.data() + from, end - from, nullptr), TOOLCOMP_OK);
+        from = end;
       }
+      toolcomp_engine_end(part.get(), nullptr);
+      std::erase_if(events, [](const Kept& k) { return k.event.kind > TOOLCOMP_SAMPLE; });
+      ASSERT_EQ(events.size(), expected.size()) << file.path();
+      for (std::size_t i = 0; i < events.size(); ++i)
+        ASSERT_TRUE(same(events[i].event, expected[i])) << file.path() << ", line " << expected[i].line;
+      fanuc += klartext ? 0 : events.size();
+      with_contact += static_cast<std::size_t>(
+          std::ranges::count_if(events, [](const Kept& k) { return !std::isnan(k.event.contact[0]); }));
     }
-  EXPECT_GT(moves, 1000U);
+  }
+  EXPECT_GT(fanuc, 1000U);
+  EXPECT_GT(with_contact, 10U);
 }
 
 // A square by arrays and as text, the tool of radius 5 outside (right of a counterclockwise way).
