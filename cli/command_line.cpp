@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -40,13 +41,16 @@ OptionText text_of(const CLI::Option& option) {
   return text;
 }
 
-// Arguments, options, common options.
+// Arguments, options, common options; each in the order of their definitions.
 std::vector<OptionText> options_of(const CLI::App& app) {
-  std::vector<OptionText> list;
-  for (const CLI::Option* option : app.get_options([](const CLI::Option* o) { return !o->get_group().empty(); }))
-    list.push_back(text_of(*option));
-  std::ranges::stable_sort(list, {}, [](const OptionText& o) { return std::pair(!o.argument, o.common); });
-  return list;
+  std::vector<OptionText> arguments, options, common;
+  for (const CLI::Option* option : app.get_options([](const CLI::Option* o) { return !o->get_group().empty(); })) {
+    OptionText text = text_of(*option);
+    (text.argument ? arguments : text.common ? common : options).push_back(std::move(text));
+  }
+  std::ranges::move(options, std::back_inserter(arguments));
+  std::ranges::move(common, std::back_inserter(arguments));
+  return arguments;
 }
 
 }  // namespace
@@ -103,12 +107,12 @@ std::vector<VerbText> CommandLine::verbs() const {
 std::vector<OptionText> CommandLine::options() const { return options_of(*app_); }
 
 std::string CommandLine::typed() const {
-  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789+,-./:=@_";
+  constexpr std::string_view kUnquoted = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789+,-./:=@_";
   std::string line = "toolcomp";
   for (std::size_t i = 1; i < words_.size(); ++i) {
     const std::string& word = words_[i];
     line += ' ';
-    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) {
+    if (!word.empty() && word.find_first_not_of(kUnquoted) == std::string::npos) {
       line += word;
       continue;
     }
