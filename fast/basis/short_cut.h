@@ -5,6 +5,7 @@
 namespace toolcomp::fast {
 
 enum class ShortCut : unsigned char {
+  cutter_b_arc,    // fanuc/cutter_compensation_b/usual_arc.cpp
   cutter_line,     // fanuc/cutter_compensation_c/usual_line.cpp
   cutter_path,     // fanuc/cutter_compensation_c/usual_path.cpp
   tool_side_line,  // fanuc/tool_side_compensation/usual_side_line.cpp, fanuc/tool_side_compensation/usual_line.h

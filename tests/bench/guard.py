@@ -23,7 +23,10 @@ FLOORS = [
     (r"^batch", "floor/arrays_in_space"),
     (r"line_and_arc", "floor/corner_of_line_and_arc"),
     (r"cutter_._arcs", "floor/corner_of_arcs"),
-    (r"tool_side|leading_edge|tip_|posture_|inverse_|milling|contour", "floor/corner_in_space"),
+    (r"(inverse|posture).*_inclined", "floor/inverse_inclined"),
+    (r"^inverse|(tip|posture)_ijk", "floor/inverse"),
+    (r"(tip|posture)_rotary", "floor/forward"),
+    (r"tool_side|leading_edge|tip_|posture_|milling|contour", "floor/corner_in_space"),
     (r"", "floor/corner_in_the_plane"),
 ]
 INSTRUCTIONS = "instructions"

@@ -123,6 +123,7 @@ void CutterCompensationB::straight() {
 
 // The vector at the end of an arc lies on the line of centre and end.
 Alarm CutterCompensationB::arc() {
+  if (usual_arc()) return alarm::kNone;
   const ArcWords words{block_.clockwise, block_.by_radius, block_.to_center, block_.radius};
   const Fine center = fine_center(block_.start, block_.end, words);  // from the start
   Fine end;

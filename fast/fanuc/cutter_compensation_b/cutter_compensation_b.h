@@ -43,6 +43,8 @@ class CutterCompensationB {
   [[nodiscard]] Count signed_offset() const;
   void straight();
   [[nodiscard]] Alarm arc();
+  // usual_arc.cpp: such an arc, made and sent; false: it is for the general way, and nothing is done.
+  [[nodiscard]] bool usual_arc();
   void corner_arc();
   void cancel();
   void set_tool_arc(const Fine& old_head, const Fine& new_head, const DoubleDouble& scale);
