@@ -8,6 +8,7 @@
 
 #include "fast/basis/alarm.h"
 #include "fast/basis/event.h"
+#include "fast/fanuc/control/event_in_space.h"
 #include "fast/fanuc/corner/corner_stage.h"
 #include "fast/fanuc/tool_side_compensation/side_group.h"
 #include "fast/fanuc/tool_side_compensation/side_interference.h"
@@ -152,8 +153,6 @@ class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBl
   [[nodiscard]] bool goes_forward(const SidePath& path, double length, const Vector3<double>& vector) const;
   // What take_line() leaves to be known of the path that is held and the corner at its start.
   void complete_line();
-  // The compensated positions of a plain event.
-  static void set_from_programmed(Event& event, const Vector3<double>& vector);
 
   // Whether a line moves in a plane (No. 19630).
   [[nodiscard]] bool moves(const SeenLine& line, const ToolPlane& plane) const;
@@ -201,13 +200,9 @@ class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBl
 };
 
 [[gnu::always_inline]] inline void ToolSideCompensation::add(Event& event, const Vector3<double>& vector) const {
+  if (xyz_first_) [[likely]]
+    return add_to_xyz(event, vector);
   const auto add_to = [&](spec::AxisValues<double>& values) {
-    if (xyz_first_) [[likely]] {
-      values.value[0] += vector.x;
-      values.value[1] += vector.y;
-      values.value[2] += vector.z;
-      return;
-    }
     for (std::size_t i = 0; i < 3; ++i)
       if (xyz_[i] != spec::Axes::kNone) values.value[xyz_[i]] += vector[i];
   };

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "fast/fanuc/control/stage.h"
-#include "fast/fanuc/control/usual_words.h"
+#include "fast/fanuc/control/usual_space_lines.h"
 #include "fast/fanuc/tool_side_compensation/tool_side_compensation.h"
 
 namespace toolcomp::fast {
@@ -17,7 +17,7 @@ class ToolSideStage final : private BlockTaker, public Stage {
  public:
   // Throws spec::InputError for parameters no control could have.
   ToolSideStage(const spec::Setup& setup, Control& control, EventSink& sink)
-      : Stage(control, true), compensation_(setup, control.kinematics, sink) {}
+      : Stage(control, true), compensation_(setup, control.kinematics, sink), lines_(control) {}
 
   void set_sink(EventSink& sink) override { compensation_.set_sink(sink); }
   void release() override;
@@ -48,13 +48,8 @@ class ToolSideStage final : private BlockTaker, public Stage {
   void block(const spec::Block& block) override;
   [[nodiscard]] std::size_t lines(const LineChunk& chunk) override;
   void end() override;
-  // Before any other block.
-  void leave_lines();
-  // The usual line, without a detour: positions of few places, under G43.5 I J K, F and G00 or G01, and nothing of the
-  // modal state that needs a look. False, and nothing is done: any other block.
+  // False, and nothing is done: no usual line.
   [[nodiscard]] bool take_line(const spec::Block& block);
-  [[nodiscard]] bool read_line(const spec::Block& block, std::uint32_t& letters);
-  void turn_line(std::uint32_t letters, const std::array<std::int64_t, 3>& ijk);
   // Positions in 10^-6.
   void fill_line(std::uint64_t line, const std::optional<std::uint64_t>& n, DoublePair xy, double z);
   // Whether the blocks of a chunk may be usual lines.
@@ -66,22 +61,13 @@ class ToolSideStage final : private BlockTaker, public Stage {
   // Behind the last one taken, which starts at `from`.
   void finish_lines(const LineChunk& chunk, const SideLineEnd& end, const Vector3<double>& from,
                     const ToolSideCompensation::TakenLine* before_last);
-  // Where usual lines have led to becomes the programmed position.
-  void place_lines(double x, double y, double z);
 
   ToolSideCompensation compensation_;
   BlockArc arc_;  // of a block under G02 or G03
   CutterSide word_ = CutterSide::off;
   int sign_ = 1;         // +1 left: by code and sign of the value
   bool wanted_ = false;  // a code is in force with a number
-  // Usual lines, while they may come.
-  struct Lines {
-    bool plain = false;  // the axes are sent to the programmed position
-    UsualWords words;
-    Vector3<double> at;  // where X Y Z stand, 10^-6
-  };
-  Lines lines_;
-  BlockTaker* others_ = nullptr;  // who takes blocks that are no usual lines
+  UsualSpaceLines lines_;
 };
 
 }  // namespace toolcomp::fast

@@ -4,23 +4,10 @@
 #include <cmath>
 
 #include "fast/basis/fault.h"
+#include "fast/fanuc/control/event_in_space.h"
 #include "fast/fanuc/tool_side_compensation/tool_side_compensation.h"
 
 namespace toolcomp::fast {
-
-// X and Y side by side, as fill_side_line() writes them: half of what was written at once would be waited for.
-[[gnu::always_inline]] inline void ToolSideCompensation::set_from_programmed(Event& event,
-                                                                             const Vector3<double>& vector) {
-  const DoublePair xy = load_pair(event.programmed.value.data()) + DoublePair{vector.x, vector.y};
-  const double z = event.programmed.value[2] + vector.z;
-  const auto set = [&](spec::AxisValues<double>& values) {
-    store_pair(values.value.data(), xy);
-    values.value[2] = z;
-  };
-  set(event.point);
-  set(event.axes);
-  if (event.machine.present != 0) set(event.machine);
-}
 
 // U and W: the movements before and behind the corner, V: the tool, u and w: what is seen of them along the tool.
 // |u|^2 = |U|^2 - (V . U)^2, u . w = U . W - (V . U)(V . W).
