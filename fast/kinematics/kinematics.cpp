@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "fast/arithmetic/extended_sine.h"
 #include "fast/basis/fault.h"
 #include "spec/language/input_error.h"
 
@@ -340,14 +341,39 @@ FineVector Kinematics::refine_on_table(const Direction& direction) const {
     for (std::size_t k = 0; k < 3; ++k) back = back + frame_.fine[k] * unit[k];
     return back;
   }
-  const auto i = fine_sine_cosine(direction.angle[0]);
-  const auto o = fine_sine_cosine(direction.angle[1]);
-  const std::array<DoubleDouble, 3> inner{DoubleDouble{1, 0}, i.cosine, i.sine};
-  const std::array<DoubleDouble, 3> outer{DoubleDouble{1, 0}, o.cosine, o.sine};
+  return sum_of_terms(fine_sine_cosine(direction.angle[0]), fine_sine_cosine(direction.angle[1]));
+}
+
+FineVector Kinematics::sum_of_terms(const SineCosine<DoubleDouble>& inner,
+                                    const SineCosine<DoubleDouble>& outer) const {
+  const std::array<DoubleDouble, 3> i{DoubleDouble{1, 0}, inner.cosine, inner.sine};
+  const std::array<DoubleDouble, 3> o{DoubleDouble{1, 0}, outer.cosine, outer.sine};
   FineVector unit{};
-  for (const Term& term : terms_)
-    unit[term.component] = unit[term.component] + term.fine * inner[term.inner] * outer[term.outer];
+  for (const Term& term : terms_) {
+    const DoubleDouble turned = term.inner == 0   ? o[term.outer]
+                                : term.outer == 0 ? i[term.inner]
+                                                  : i[term.inner] * o[term.outer];
+    unit[term.component] = unit[term.component] + (whole_terms_ ? turned * term.coefficient : term.fine * turned);
+  }
   return unit;
+}
+
+// A component has nine terms at most, with coefficients of at most 1 and two sines each.
+const FineVector* Kinematics::extended(const Direction& direction) const {
+  static_assert(9 * 2 * kExtendedSineError <= 0x1p-65);
+  const auto usual = [](const Count& angle) {
+    return angle.is_small() && angle.small() <= kMostExtendedAngle && angle.small() >= -kMostExtendedAngle;
+  };
+  const Count& inner = direction.angle[0];
+  const Count& outer = direction.angle[1];
+  if (direction.is_whole || direction.is_fine || (direction.framed && frame_.turned) || !usual(inner) || !usual(outer))
+    return nullptr;
+  Extended& last = extended_;
+  if (last.angle[0] != inner.small() || last.angle[1] != outer.small()) {
+    last.angle = {inner.small(), outer.small()};
+    last.unit = sum_of_terms(extended_sine_cosine(inner.small()), extended_sine_cosine(outer.small()));
+  }
+  return &last.unit;
 }
 
 }  // namespace toolcomp::fast

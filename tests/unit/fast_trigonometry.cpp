@@ -1,4 +1,5 @@
 // Sines and cosines of the fast engine against MPFR with 300 bits.
+#include "fast/arithmetic/extended_sine.h"
 #include "fast/arithmetic/trigonometry.h"
 #include "tests/sanitized.h"
 
@@ -19,7 +20,14 @@ class Exact {
   Exact& operator=(const Exact&) = delete;
   ~Exact() { mpfr_clear(x_); }
   mpfr_ptr get() { return x_; }
-  // |*this - (hi + lo)| / |*this|
+  // |*this - (hi + lo)|
+  double error(double hi, double lo) {
+    Exact difference;
+    mpfr_sub_d(difference.get(), x_, hi, MPFR_RNDN);
+    mpfr_sub_d(difference.get(), difference.get(), lo, MPFR_RNDN);
+    return std::abs(mpfr_get_d(difference.get(), MPFR_RNDN));
+  }
+  // The same over |*this|
   double relative_error(double hi, double lo = 0) {
     Exact difference;
     mpfr_sub_d(difference.get(), x_, hi, MPFR_RNDN);
@@ -78,6 +86,27 @@ TEST(Trigonometry, WithinTheStatedErrors) {
   RecordProperty("worst_log2_fine", std::to_string(std::log2(worst_fine)));
   EXPECT_LE(worst, kTrigonometryError);
   EXPECT_LE(worst_fine, kFineTrigonometryError);
+}
+
+TEST(Trigonometry, ExtendedSinesWithinTheirError) {
+  std::mt19937_64 random(5);
+  Exact sine;
+  Exact cosine;
+  double worst = 0;
+  for (std::uint64_t i = 0; i < test::random_cases(100'000); ++i) {
+    // Any angle, one of a few turns, one beside a multiple of 45 degrees and half a degree beside a whole one.
+    const std::int64_t most = i % 4 == 0 ? kMostExtendedAngle : 1'000'000'000;
+    std::int64_t small = static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(2 * most + 1)) - most;
+    if (i % 4 == 2) small = small / 45'000'000 * 45'000'000 + static_cast<std::int64_t>(random() % 5) - 2;
+    if (i % 4 == 3) small = small / 1'000'000 * 1'000'000 + 499'999 + static_cast<std::int64_t>(random() % 3);
+    Count angle;
+    angle.set_small(small);
+    sine_cosine_of(angle, sine, cosine);
+    const auto t = extended_sine_cosine(small);
+    worst = std::max({worst, sine.error(t.sine.hi, t.sine.lo), cosine.error(t.cosine.hi, t.cosine.lo)});
+  }
+  RecordProperty("worst_log2", std::to_string(std::log2(worst)));
+  EXPECT_LE(worst, kExtendedSineError);
 }
 
 TEST(Trigonometry, MultiplesOfNinetyAreExact) {
