@@ -37,7 +37,8 @@ using fast::Fault;
 using fast::ShortCut;
 
 constexpr unsigned set_of(ShortCut s) { return 1U << static_cast<unsigned>(s); }
-constexpr unsigned kSameArithmetic = set_of(ShortCut::cutter_line) | set_of(ShortCut::cutter_path);
+constexpr unsigned kSameArithmetic =
+    set_of(ShortCut::cutter_line) | set_of(ShortCut::cutter_path) | set_of(ShortCut::leading_edge_line);
 constexpr unsigned kOwnArithmetic = set_of(ShortCut::cutter_b_arc) | set_of(ShortCut::tool_side_line) |
                                     set_of(ShortCut::pair) | set_of(ShortCut::posture);
 
@@ -240,6 +241,119 @@ TEST(ShortCuts, GiveWhatTheGeneralPathGivesAlongContours) {
         c.program = make(seed);
         ASSERT_EQ(broken(c), "") << "seed " << seed << '\n' << c.program;
       }
+  }
+}
+
+constexpr std::string_view kEdgeBetween[] = {"M08",    "F300",      "G01",    "N77",    "D2", "D1",    "G00",
+                                             "D2 X7.", "G91",       "G90 Z5", "G43 H1", "H2", "G49",   "X0",
+                                             "G04 P1", "G91 X0 D1", "G90",    "G17",    "D0", "S1 M3", "G40\nG41.3 D2"};
+// The tool stands by B and C; by rotary words that turn nothing; by I J K, with a length along it.
+struct EdgeSetup {
+  std::string_view setup;
+  std::string_view rotary;
+  bool by_vector;
+};
+constexpr EdgeSetup kEdgeSetups[] = {
+    {R"(control = "fanuc"
+axes = ["X", "Y", "Z", "B", "C"]
+parameters = {19680 = 2, 19681 = 5, 19682 = 3, 19686 = 4, 19687 = 2}
+offsets = {H = {1 = 15, 2 = "-7.25"}, D = {1 = "4.95", 2 = "-0.004"}})",
+     "BC", false},
+    {R"(control = "fanuc"
+axes = ["X", "Y", "Z", "U", "A", "C"]
+parameters = {19631 = 45, 19680 = 12, 19681 = 6, 19682 = 3, 19686 = 5, 19687 = 1}
+offsets = {H = {1 = 15, 2 = "-7.25"}, D = {1 = "4.95", 2 = "-0.004"}})",
+     "AC", false},
+    {R"(control = "fanuc"
+axes = ["X", "Y", "Z"]
+offsets = {H = {1 = "100.25", 2 = 0}, D = {1 = "4.95", 2 = 3}})",
+     "", true},
+    {R"(control = "fanuc"
+axes = ["X", "Y", "Z", "C", "W"]
+parameters = {19631 = 0}
+workpiece = {G54 = {X = 12}}
+offsets = {H = {1 = "100.25", 2 = 0}, D = {1 = "4.95", 2 = 3}})",
+     "", true},
+    {R"(control = "fanuc"
+axes = ["X", "Y", "Z"]
+workpiece = {G54 = {X = 12}}
+parameters = {19631 = 60}
+offsets = {H = {1 = "100.25", 2 = 0}, D = {1 = "4.95", 2 = 3}})",
+     "", true},
+    {R"(control = "fanuc"
+axes = ["Z", "X", "B", "Y", "C"]
+parameters = {19680 = 2, 19681 = 5, 19682 = 3, 19686 = 3, 19687 = 5}
+offsets = {H = {1 = 15, 2 = "-7.25"}, D = {1 = "4.95", 2 = "-0.004"}})",
+     "BC", false},
+};
+
+// Lines under leading edge offset, long enough for its short cut to be left and taken again: along the tool, across it
+// and anywhere, with the tool turned or not, blocks that turn alone or move nothing, and blocks between that are no
+// lines.
+std::string edge_contour(const EdgeSetup& setup, std::uint64_t seed) {
+  Dice dice(seed);
+  const int scale = dice.one_in(3) ? 1 : 1000;
+  bool incremental = dice.one_in(4);
+  std::string text = "G01 F250.5\n";
+  std::array<int, 3> tool{0, 0, 1};
+  if (setup.by_vector)
+    text += fmt::format("G43.5 H{} I0 J0 K1.\n", 1 + dice.below(2));
+  else if (dice.one_in(2))
+    text += fmt::format("G43 H{}\n", 1 + dice.below(2));
+  text += fmt::format("{}\nG41.3 D1\n", incremental ? "G91" : "G90");
+  std::array<int, 3> at{};
+  std::array<int, 3> way{};
+  for (int i = 0; i < 40; ++i) {
+    if (i > 0 && dice.one_in(16)) {
+      const std::string_view between = kEdgeBetween[static_cast<std::size_t>(dice.below(std::size(kEdgeBetween)))];
+      text += fmt::format("{}\n", between);
+      if (between.starts_with("G9")) incremental = between.starts_with("G91");
+    }
+    const auto any = [&](int most) { return dice.below(2 * most + 1) - most; };
+    const int kind = dice.below(10);
+    if (kind < 6) way = {any(20) * scale, any(20) * scale, any(20) * scale};
+    const int times = (1 + dice.below(9)) * (dice.one_in(2) ? 1 : -1) * scale;
+    if (kind == 6) way = {tool[0] * times, tool[1] * times, tool[2] * times};
+    if (kind == 7) way = {tool[1] * times, -tool[0] * times, tool[1] == 0 && tool[0] == 0 ? 0 : dice.below(2)};
+    if (kind == 8 && !dice.one_in(3)) way = {way[1], way[2], way[0]};
+    if (kind == 9 && dice.one_in(2)) way = {};
+    std::string block = dice.one_in(10) ? "G01 " : "";
+    for (std::size_t k = 0; k < 3; ++k) {
+      at[k] += way[k];
+      if (way[k] != 0 || dice.one_in(4))
+        block += fmt::format("{}{:.3f} ", "XYZ"[k], (incremental ? way[k] : at[k]) / 1000.0);
+    }
+    if (setup.by_vector && dice.one_in(2)) {
+      const std::array<int, 3> before = tool;
+      tool = {any(4), any(4), any(dice.one_in(3) ? 4 : 1)};
+      if (dice.one_in(4)) tool = {-before[0], before[1], 1};
+      if (tool == std::array<int, 3>{} && !dice.one_in(8)) tool[2] = 1;
+      for (std::size_t k = 0; k < 3; ++k)
+        if (tool[k] != 0 || dice.one_in(2)) block += fmt::format("{}{} ", "IJK"[k], tool[k]);
+    }
+    for (const char letter : setup.rotary)
+      if (!incremental && dice.one_in(2))
+        block += fmt::format("{}{} ", letter, dice.one_in(2) ? 15 * any(12) : any(90'000) / 1000.0);
+    if (dice.one_in(10)) block += fmt::format("F{}", 1 + dice.below(900));
+    text += block + '\n';
+  }
+  return text + (dice.one_in(2) ? "G40\n" : "") + "M30\n";
+}
+
+TEST(ShortCuts, GiveWhatTheGeneralPathGivesUnderLeadingEdgeOffset) {
+  constexpr std::uint64_t cases = test::kSanitized ? 100 : 1500;
+  for (const EdgeSetup& setup : kEdgeSetups) {
+    spec::Case c;
+    c.section = "fanuc/leading-edge-offset";
+    c.setup = spec::read_setup_toml(std::string(setup.setup), "setup");
+    std::uint64_t moves = 0;
+    for (std::uint64_t seed = 1; seed <= cases; ++seed) {
+      c.program = edge_contour(setup, seed);
+      ASSERT_EQ(broken(c), "") << "seed " << seed << '\n' << setup.setup << '\n' << c.program;
+      moves += run(c, 0)->size();
+    }
+    // Most programs run on, though some of their blocks are refused.
+    EXPECT_GE(moves, 10 * cases) << setup.setup;
   }
 }
 

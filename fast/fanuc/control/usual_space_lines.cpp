@@ -3,7 +3,7 @@
 namespace toolcomp::fast {
 namespace {
 
-constexpr Mask kXyz = 0b111;
+constexpr Mask kLinearXyz = 0b111;
 
 bool is_within(const Count& count, std::int64_t most) {
   return count.is_small() && count.small() <= most && count.small() >= -most;
@@ -30,7 +30,7 @@ UsualSpaceLines::Sent UsualSpaceLines::sent() const {
   const AxisPositions& positions = control_.positions;
   const bool along = positions.along_tool();
   const bool offset = positions.length().live() != 0;
-  if (control_.axes.linear != kXyz || (along && (offset || positions.displaced() != 0))) return Sent::otherwise;
+  if (control_.axes.linear != kLinearXyz || (along && (offset || positions.displaced() != 0))) return Sent::otherwise;
   if (along && control_.attitude.along_length() != 0) return Sent::along_tool;
   return offset ? Sent::with_offset : Sent::as_programmed;
 }

@@ -1,6 +1,7 @@
 #include "fast/fanuc/leading_edge_offset/compensation_vector.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "fast/arithmetic/trigonometry.h"
@@ -22,6 +23,8 @@ Vector cross(const Vector& a, const Vector& b) {
   return {a[kY] * b[kZ] - a[kZ] * b[kY], a[kZ] * b[kX] - a[kX] * b[kZ], a[kX] * b[kY] - a[kY] * b[kX]};
 }
 
+double largest(const Vector3<double>& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
 using WideVector = std::array<Wide, 3>;
 WideVector wide(const std::array<Int128, 3>& v) { return {Wide(v[kX]), Wide(v[kY]), Wide(v[kZ])}; }
 FineVector fine(const std::array<Int128, 3>& v) {
@@ -34,9 +37,6 @@ bool is_exact(const Displacement& m, const Direction& v) { return v.is_whole && 
 double fine_bound(const Displacement& m, const Direction& v) {
   return 3 * v.refined_error() * m.value.norm() + 4 * m.slack;
 }
-
-// How far the square of d or |c| in doubles may be from the truth, over |m|^2 (compensation_vector.h, level 1).
-double square_bound(const Direction& v) { return 5 * (v.error + 4 * u) + 8 * u; }
 
 bool drop_fine_level() { return fault(Fault::no_double_double); }
 
@@ -138,35 +138,31 @@ AngleClass CompensationVector::classify(const Kinematics& kinematics, const Disp
   return sign > 0 ? AngleClass::below_90 : AngleClass::above_90;
 }
 
-Lean CompensationVector::lean(const Kinematics& kinematics, const Displacement& m, const Direction& v) const {
-  const double square = m.value.squaredNorm();
-  const double d = m.value.dot(v.unit);
-  const double d2 = d * d;
-  const Eigen::Vector3d c = m.value.cross(v.unit);
-  const double c2 = c.squaredNorm();
-  Lean lean;
-  // Level 1 for the usual angle: away from 0 and 180, from the limits about 90, and with a certain sign. The first two
-  // are certain by more than the bound of d^2, so the sign of d is certain if d^2 itself exceeds it.
-  const double bound = square_bound(v) * square;
-  const double off_axis = wide_ ? cosine_.value * square - d2 : c2 - sine_.value * square;
-  const double off_right = wide_ ? cosine_.value * square - c2 : d2 - sine_.value * square;
-  if (off_axis > bound && off_right > bound && d2 > bound && m.slack == 0) [[likely]]
-    lean.angle = d > 0 ? AngleClass::below_90 : AngleClass::above_90;
-  else
-    lean.angle = classify(kinematics, m, v);
-  if (lean.angle == AngleClass::near_0 || lean.angle == AngleClass::near_180) return lean;
-  // Cancellation in the product grows as the movement nears the tool direction: beyond 30 degrees it costs at most a
-  // factor 2, nearer the product is made without it.
-  if (4 * c2 >= square) [[likely]]
-    lean.backward = c.cross(v.unit);
-  else
-    lean.backward = fine_backward(kinematics, m, v, std::sqrt(c2 / square));
-  lean.norm = lean.backward.norm();
-  return lean;
-}
-
-Eigen::Vector3d CompensationVector::fine_backward(const Kinematics& kinematics, const Displacement& m,
+Vector3<double> CompensationVector::fine_backward(const Kinematics& kinematics, const Displacement& m,
                                                   const Direction& v, double sine) {
+  // Products of few digits are whole doubles, and so are their differences: nothing is lost where they cancel. The
+  // second product is of vectors at right angles.
+  if (is_exact(m, v) && m.narrow && v.narrow) {
+    const Vector3<double> way{m.value[0], m.value[1], m.value[2]};
+    const auto of_whole = [&](std::size_t i) { return static_cast<double>(v.small[i]); };
+    const Vector3<double> tool{of_whole(kX), of_whole(kY), of_whole(kZ)};
+    constexpr double kMost = 0x1p52;
+    if (largest(way) * largest(tool) <= kMost) [[likely]]
+      return cross(cross(way, tool), tool);
+  }
+  // Of rotary axes: what the extended direction lacks is below 2^-56 of a product with such a sine, less than its
+  // rounding.
+  constexpr double kLeastSine = 0x1p-7;
+  const FineVector* const extended = m.narrow && sine >= kLeastSine ? kinematics.extended(v) : nullptr;
+  if (extended != nullptr) [[likely]] {
+    const auto component = [&](std::size_t i, std::size_t k) {
+      return ((*extended)[k] * m.value[static_cast<Eigen::Index>(i)] -
+              (*extended)[i] * m.value[static_cast<Eigen::Index>(k)])
+          .hi;
+    };
+    return cross(Vector3<double>{component(kY, kZ), component(kZ, kX), component(kX, kY)},
+                 Vector3<double>{v.unit[0], v.unit[1], v.unit[2]});
+  }
   // Double-double loses as many of its 98 bits as the sine has leading zeros: enough down to 2^-30 for a double. Below
   // that whole numbers are exact; a direction from rotary axes has no better numbers, nor could it use them.
   if (is_exact(m, v) && sine < 0x1p-30) {

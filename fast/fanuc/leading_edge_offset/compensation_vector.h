@@ -2,11 +2,12 @@
 // classified (near-0, near-90, near-180).
 #pragma once
 
-#include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
 
 #include "fast/arithmetic/double_double.h"
 #include "fast/geometry/displacement.h"
+#include "fast/geometry/vector3.h"
 #include "fast/kinematics/kinematics.h"
 #include "spec/language/decimal.h"
 
@@ -18,8 +19,8 @@ enum class AngleClass : std::uint8_t { near_0, near_180, near_90, below_90, abov
 // How a movement stands to the tool.
 struct Lean {
   AngleClass angle = AngleClass::near_90;
-  Eigen::Vector3d backward{0, 0, 0};  // along (VM x VT) x VT; not set near 0 and 180 degrees
-  double norm = 1;                    // of `backward`
+  Vector3<double> backward;  // along (VM x VT) x VT; not set near 0 and 180 degrees
+  double norm = 1;           // of `backward`
 };
 
 // Decisions go through three levels, each used only where the one before cannot tell:
@@ -58,12 +59,53 @@ class CompensationVector {
   [[nodiscard]] AngleClass classify(const Kinematics& kinematics, const Displacement& m, const Direction& v) const;
   // (M x V) x V without the cancellation that doubles suffer near 0 and 180 degrees.
   // `sine` is about |M x V| / |M||V|.
-  [[nodiscard]] static Eigen::Vector3d fine_backward(const Kinematics& kinematics, const Displacement& m,
+  [[nodiscard]] static Vector3<double> fine_backward(const Kinematics& kinematics, const Displacement& m,
                                                      const Direction& v, double sine);
 
   Square sine_;
   Square cosine_;
   bool wide_ = false;  // the limit is above 45 degrees
 };
+
+// How far the square of d or |c| in doubles may be from the truth, over |m|^2.
+inline double square_bound(const Direction& v) {
+  constexpr double kRounding = 0x1p-53;
+  return 5 * (v.error + 4 * kRounding) + 8 * kRounding;
+}
+
+// Every block: level 1 is here, for the usual angles.
+[[gnu::always_inline]] inline Lean CompensationVector::lean(const Kinematics& kinematics, const Displacement& m,
+                                                            const Direction& v) const {
+  const Vector3<double> way{m.value[0], m.value[1], m.value[2]};
+  const Vector3<double> tool{v.unit[0], v.unit[1], v.unit[2]};
+  const double square = dot(way, way);
+  const double d = dot(way, tool);
+  const double d2 = d * d;
+  const Vector3<double> c = cross(way, tool);
+  const double c2 = dot(c, c);
+  Lean lean;
+  const double bound = square_bound(v) * square;
+  const double off_axis = wide_ ? cosine_.value * square - d2 : c2 - sine_.value * square;
+  const double off_right = wide_ ? cosine_.value * square - c2 : d2 - sine_.value * square;
+  const bool apart = off_axis > bound && m.slack == 0;
+  if (apart && off_right > bound && d2 > bound) [[likely]]
+    // Away from 0 and 180 and from the limits about 90, and d^2 exceeds its error: the sign of d is certain.
+    lean.angle = d > 0 ? AngleClass::below_90 : AngleClass::above_90;
+  else if (apart && off_right < -bound)
+    // Between the limits about 90 degrees, whatever the sign.
+    lean.angle = AngleClass::near_90;
+  else
+    lean.angle = classify(kinematics, m, v);
+  if (lean.angle == AngleClass::near_0 || lean.angle == AngleClass::near_180) [[unlikely]]
+    return lean;
+  // Cancellation in the product grows as the movement nears the tool direction: beyond 30 degrees it costs at most a
+  // factor 2, nearer the product is made without it.
+  if (4 * c2 >= square) [[likely]]
+    lean.backward = cross(c, tool);
+  else
+    lean.backward = fine_backward(kinematics, m, v, std::sqrt(c2 / square));
+  lean.norm = std::sqrt(dot(lean.backward, lean.backward));
+  return lean;
+}
 
 }  // namespace toolcomp::fast

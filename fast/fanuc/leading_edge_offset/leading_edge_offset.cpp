@@ -1,6 +1,5 @@
 #include "fast/fanuc/leading_edge_offset/leading_edge_offset.h"
 
-#include "fast/basis/fault.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::fast {
@@ -36,15 +35,15 @@ void LeadingEdgeOffset::take_free() {
   }
 }
 
-void LeadingEdgeOffset::send(Move& move, const Eigen::Vector3d& vector) {
+void LeadingEdgeOffset::send(Move& move, const Vector3<double>& vector) {
   Event& event = move.event;
   if (active_)
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t axis = xyz_[i];
       if (axis == spec::Axes::kNone) continue;
-      event.point.value[axis] += vector[static_cast<Eigen::Index>(i)];
-      event.axes.value[axis] += vector[static_cast<Eigen::Index>(i)];
-      event.machine.value[axis] += vector[static_cast<Eigen::Index>(i)];  // read only where present
+      event.point.value[axis] += vector[i];
+      event.axes.value[axis] += vector[i];
+      event.machine.value[axis] += vector[i];  // read only where present
     }
   sink_->on(event);
 }
@@ -54,35 +53,11 @@ void LeadingEdgeOffset::send_held() {
   held_count_ = 0;
 }
 
-Alarm LeadingEdgeOffset::update(const Displacement& displacement, const Direction& direction, double radius) {
-  const Lean lean = compensation_.lean(kinematics_, displacement, direction);
-  switch (lean.angle) {
-    case AngleClass::near_0:
-    case AngleClass::near_180:
-      // The vector is kept; a start-up has none to keep.
-      return starting_ ? alarm::kLeadingEdgeStart : alarm::kNone;
-    case AngleClass::near_90:
-      // The sense is inherited; without history that of the pair, backward at exactly 90 degrees.
-      if (starting_ || fault(Fault::right_angle_without_history))
-        backward_ = CompensationVector::dot_sign(kinematics_, displacement, direction) >= 0 ? 1 : -1;
-      break;
-    case AngleClass::below_90:
-      backward_ = 1;
-      break;
-    case AngleClass::above_90:
-      backward_ = fault(Fault::above_90_not_reversed) ? 1 : -1;
-      break;
-  }
-  const int sense = fault(Fault::vector_sign) ? -backward_ : backward_;
-  vector_ = lean.backward * (sense * radius / lean.norm);
-  return alarm::kNone;
-}
-
 void LeadingEdgeOffset::start() {
   active_ = true;
   starting_ = true;
   still_ = 0;
-  vector_.setZero();
+  vector_ = {};
   start_line_ = next().event.line;
   start_n_ = next().event.n;
   hold();
@@ -154,9 +129,9 @@ void LeadingEdgeOffset::cancel() {
   if (fault(Fault::cancel_keeps_vector))
     send_compensated();
   else
-    send(next(), Eigen::Vector3d::Zero());
+    send(next(), {});
   active_ = false;
-  vector_.setZero();
+  vector_ = {};
 }
 
 }  // namespace toolcomp::fast

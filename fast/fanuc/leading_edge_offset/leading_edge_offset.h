@@ -1,15 +1,16 @@
 // Leading edge offset G41.3 (fanuc.leading-edge.*): a stage that holds moves until their vector is known.
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cstdint>
 #include <optional>
 
 #include "fast/basis/alarm.h"
 #include "fast/basis/event.h"
+#include "fast/basis/fault.h"
 #include "fast/fanuc/leading_edge_offset/compensation_vector.h"
 #include "fast/geometry/displacement.h"
+#include "fast/geometry/vector3.h"
 #include "fast/kinematics/kinematics.h"
 #include "spec/language/setup.h"
 
@@ -37,7 +38,7 @@ class LeadingEdgeOffset {
   [[nodiscard]] Move& next() { return ring_[free_]; }
 
   // While the mode is off: sends next() on.
-  void pass() { send(next(), Eigen::Vector3d::Zero()); }
+  void pass() { send(next(), {}); }
   // G41.3: next() is the start-up move, held until the block after it.
   void start();
   // A block in the mode; `own` if next() is a move of it, `moving` if it moves X, Y or Z by next().displacement.
@@ -50,6 +51,18 @@ class LeadingEdgeOffset {
   // G40: next() is the cancel move.
   void cancel();
 
+  // The usual line, the short cut of block() (usual_line.h): a block that moves, behind one that did and is held.
+  // Asked behind block(): whether take_line() may take the next ones.
+  [[nodiscard]] bool awaits_line() const;
+  // The event of the move that is held, and behind take_line() that of the line, to be filled in.
+  [[nodiscard]] Event& held_event() { return held().event; }
+  // A line that moves by `way` (10^-6 of a setup unit, whole numbers), not nothing: the move that is held goes out with
+  // its vector, made with `tool`, and the line is held in its place. `plain`: events are filled in without point, axes
+  // and machine, which would be `programmed` in X, Y and Z.
+  void take_line(const Vector3<double>& way, const Direction& tool, bool plain);
+  // Before any other block: what take_line() has left open of the line that is held, at whose end the tool stands so.
+  void complete_line(const Direction& tool, bool plain);
+
   // The block that a start-up alarm names.
   [[nodiscard]] std::uint64_t start_line() const { return start_line_; }
   [[nodiscard]] const std::optional<std::uint64_t>& start_n() const { return start_n_; }
@@ -60,8 +73,10 @@ class LeadingEdgeOffset {
     take_free();
   }
   void take_free();
-  void send(Move& move, const Eigen::Vector3d& vector);
+  [[nodiscard]] Move& held() { return ring_[held_[0]]; }
+  void send(Move& move, const Vector3<double>& vector);
   void send_held();
+  // The vector of a move: `displacement` is that of the next one, or its own.
   Alarm update(const Displacement& displacement, const Direction& direction, double radius);
 
   const Kinematics& kinematics_;
@@ -78,9 +93,29 @@ class LeadingEdgeOffset {
   bool starting_ = false;   // the start-up move is held
   std::uint8_t still_ = 0;  // blocks without movement since the last moving one, at most 2
   int backward_ = 1;        // the sense of the last computed vector: +1 backward, -1 forward
-  Eigen::Vector3d vector_{0, 0, 0};
+  Vector3<double> vector_;
   std::uint64_t start_line_ = 0;
   std::optional<std::uint64_t> start_n_;
 };
+
+[[gnu::always_inline]] inline Alarm LeadingEdgeOffset::update(const Displacement& displacement,
+                                                              const Direction& direction, double radius) {
+  const Lean lean = compensation_.lean(kinematics_, displacement, direction);
+  // Near 0 and 180 degrees the vector is kept; a start-up has none to keep.
+  if (lean.angle == AngleClass::near_0 || lean.angle == AngleClass::near_180) [[unlikely]]
+    return starting_ ? alarm::kLeadingEdgeStart : alarm::kNone;
+  if (lean.angle == AngleClass::near_90) {
+    // The sense is inherited; without history that of the pair, backward at exactly 90 degrees.
+    if (starting_ || fault(Fault::right_angle_without_history))
+      backward_ = CompensationVector::dot_sign(kinematics_, displacement, direction) >= 0 ? 1 : -1;
+  } else {
+    // Without a branch: angles follow no pattern.
+    const bool above = lean.angle == AngleClass::above_90 && !fault(Fault::above_90_not_reversed);
+    backward_ = 1 - 2 * static_cast<int>(above);
+  }
+  const int sense = fault(Fault::vector_sign) ? -backward_ : backward_;
+  vector_ = lean.backward * (sense * radius / lean.norm);
+  return alarm::kNone;
+}
 
 }  // namespace toolcomp::fast

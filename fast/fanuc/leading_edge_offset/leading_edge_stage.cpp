@@ -102,7 +102,10 @@ Alarm LeadingEdgeStage::follow(const Words& words, bool own, bool extra) {
   move.direction = &control_.attitude.directions().now();
   move.radius = radius_;
   // The only alarms here are those of the start-up move.
-  if (const Alarm a = offset_.block(event, !move.displacement.zero)) end_at_start(a);
+  if (const Alarm a = offset_.block(event, !move.displacement.zero))
+    end_at_start(a);
+  else
+    await_lines();
   return alarm::kNone;
 }
 

@@ -1,12 +1,12 @@
 (* The vector of the leading edge offset. Gappa bounds components in intervals and does not know that those of a unit
    vector are never at their largest together; so whole vectors are bounded here, by hand.
 
-# code: fast/fanuc/leading_edge_offset/compensation_vector.cpp
-#   const Eigen::Vector3d c = m.value.cross(v.unit);
+# code: fast/fanuc/leading_edge_offset/compensation_vector.h
+#   const Vector3<double> c = cross(way, tool);
 #   if (4 * c2 >= square) [[likely]]
-#   lean.backward = c.cross(v.unit);
-#   lean.norm = lean.backward.norm();
-# code: fast/fanuc/leading_edge_offset/leading_edge_offset.cpp
+#   lean.backward = cross(c, tool);
+#   lean.norm = std::sqrt(dot(lean.backward, lean.backward));
+# code: fast/fanuc/leading_edge_offset/leading_edge_offset.h
 #   vector_ = lean.backward * (sense * radius / lean.norm);
 # code: fast/kinematics/direction.h
 #   const double norm = std::sqrt(vx * vx + vy * vy + vz * vz);
@@ -14,7 +14,7 @@
 #   direction.unit[2] = vz / norm;
 #
 # ranges: a movement that doubles hold exactly, the sine of its angle to the tool at least 0.4901 (the engine asks for
-#   1/2, by doubles; below it takes double-double); a tool direction by words. `sense`, a sign, goes through every rounding.
+#   1/2, by doubles; below it takes more digits); a tool direction by words. `sense`, a sign, goes through every rounding.
 #   The squares of a length may be added in either order: the last may as well be the first.
 # u = 2^-53, s the sine of the angle between movement and tool, so 1/s the condition of the policy.
 # proves: the vector, as a whole, is off by at most 12.65 u/s times its length (leading_edge_by_words). With a direction

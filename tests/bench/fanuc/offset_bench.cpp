@@ -98,9 +98,12 @@ Program leading_edge_ties() {
     return "X" + x + " Y" + numbers.next(100);
   });
 }
-// Ties that double-double decides: B45 and movements along (1, 0, -1).
+// Ties that double-double decides: B45 and movements along (1, 0, -1), without a range about 90 degrees.
 Program leading_edge_fine_ties() {
-  return repeated(kSetup, "G90 G01 F1000. B45.\nG41.3 D1\n",
+  constexpr std::string_view kParameters = "[parameters]\n";
+  std::string setup(kSetup);
+  setup.insert(setup.find(kParameters) + kParameters.size(), "\"19631\" = 0\n");
+  return repeated(setup, "G90 G01 F1000. B45.\nG41.3 D1\n",
                   [](Numbers&, int i) { return std::string(i % 2 == 0 ? "X10.5 Z-10.5" : "X0 Z0"); });
 }
 
