@@ -1,5 +1,6 @@
 #include "fast/fanuc/leading_edge_offset/leading_edge_offset.h"
 
+#include "fast/basis/fault.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::fast {
@@ -25,11 +26,11 @@ LeadingEdgeOffset::LeadingEdgeOffset(const spec::Setup& setup, const Kinematics&
       xyz_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')} {}
 
 void LeadingEdgeOffset::take_free() {
-  for (std::uint8_t i = 0; i < ring_.size(); ++i) {
+  for (std::size_t i = 0; i < ring_.size(); ++i) {
     bool used = false;
     for (std::uint8_t k = 0; k < held_count_; ++k) used |= held_[k] == i;
     if (!used) {
-      free_ = i;
+      free_ = static_cast<std::uint8_t>(i);
       return;
     }
   }

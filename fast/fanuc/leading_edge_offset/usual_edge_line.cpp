@@ -1,6 +1,7 @@
 // The usual line under leading edge offset: straight from the words of the block to the stage.
 #include <cmath>
 
+#include "fast/basis/fault.h"
 #include "fast/fanuc/control/usual_space_lines.h"
 #include "fast/fanuc/leading_edge_offset/leading_edge_stage.h"
 #include "fast/fanuc/leading_edge_offset/usual_line.h"
