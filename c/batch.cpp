@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // By arrays.
 #include "fast/batch/batch.h"
 

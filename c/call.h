@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From exceptions to what a caller from C gets.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Events of the fast engine for a function of C.
 #pragma once
 

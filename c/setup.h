@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a setup's handle is.
 #pragma once
 

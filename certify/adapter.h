@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Adapters: controllers known by name, each a folder with a manifest (docs/adapters.md).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A batch of programs for a trace adapter: folders written, the adapter's command run on them (docs/adapters.md).
 #pragma once
 

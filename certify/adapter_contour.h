@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contours for cutter compensation that every control can follow: inside corners alone.
 #pragma once
 

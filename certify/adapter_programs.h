@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs for machines that really move: for controllers that are recorded (docs/adapters.md).
 #pragma once
 

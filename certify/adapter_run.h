@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A batch of programs through a trace adapter, each judged as a recorded run.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What one process was asked, for the evidence of what it answers next.
 #pragma once
 

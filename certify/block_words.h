@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What an explanation says of a block besides its clauses and decisions: in words, with exact figures.
 #pragma once
 

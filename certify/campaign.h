@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Certification: many cases through one controller, and what came of it.
 #pragma once
 

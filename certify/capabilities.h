@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a controller says about itself, and whether a case applies to it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What remains of one case that was judged, and the sums of many.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a certification established, for reports.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One program through the model and another engine of ours.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nominal and actual tool where they touch the wall: a block with a surface normal, cut by the plane of normal and
 // tool.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A controller under test: any command that speaks the protocol (docs/protocol.md) on its standard input and output.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Events of the model and of controllers over numbers that can be drawn and compared.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which fields the model's events have: what a controller that announces them has to send.
 #pragma once
 

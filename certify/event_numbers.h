@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every number of an event, one after the other, whatever number it is made of.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The numbers of events, in a row: what came beside what was expected.
 #pragma once
 

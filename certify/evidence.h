@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From a difference to a finding: whether it comes again, what has to be asked before it, and the smallest program.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two lists of exact events held together: the formal specification against the exact model.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What happens in each block of a program, and why: decisions with their exact values, events of both engines.
 #pragma once
 

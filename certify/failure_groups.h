@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The failures of a campaign by key: how many cases, and of the smallest all that was seen.
 #pragma once
 

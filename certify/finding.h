@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A finding: the smallest case that shows a difference, with everything needed to judge it again.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One case judged: the subject's answer against what the model permits.
 #pragma once
 

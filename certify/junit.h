@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // JUnit XML, as tools of continuous integration read it.
 #pragma once
 

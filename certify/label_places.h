@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where labels of a picture can stand: none covers another.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // When, by whom and on what a report was made.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The paths of a run in X, Y and Z as chords, for pictures.
 #pragma once
 

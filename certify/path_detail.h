@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One place of a compensated path seen along the tool, large enough to measure in.
 #pragma once
 

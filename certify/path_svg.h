@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A picture of a run: the programmed and the compensated path, seen from above, from the side, from a corner and along
 // the tool.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Looking at a path: projections onto the paper, and what fits there.
 #pragma once
 

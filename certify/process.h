@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A command in its own process group, spoken to line by line through pipes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A program text as lines of words, for taking it apart: by shape only, so that a faulty word stays a word.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The report of a certification: a page for people, JUnit XML and JSON for machines, a file for every finding.
 #pragma once
 

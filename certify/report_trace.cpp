@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The page of a judged trace.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // running.json in the folder of a run: there while it runs, so that the next one knows of an end by a kill.
 #pragma once
 

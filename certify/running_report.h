@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What stands on disk while a campaign runs, so that whatever ends it, even a kill, what was found is there.
 #pragma once
 

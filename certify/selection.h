@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The generated cases of a certification: chosen by what the model reaches in them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether this build can still tell right from wrong.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "certify/shared_cause.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What many findings have in common: the mistake that, made all along, explains them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shrinking: the smallest case that still fails in the same way, by blocks, then words, then digits.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sorting that keeps what is equal in its order.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is certified: something that turns a case into events.
 #pragma once
 

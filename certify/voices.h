@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Three voices on one case: the exact model, the formal specification, and a third that computes by its own means, the
 // fast engine or a controller. Where two disagree, the one left over says who stands alone.
 #pragma once

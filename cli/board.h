@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A campaign on the screen: on a terminal a board that is drawn again every second, elsewhere a line now and then; both
 // on standard error, and neither with --quiet.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // toolcomp certify: a controller or a recorded trace against the exact model, and a report.
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // toolcomp certify --controller NAME: adapters.
 #include "cli/certify_adapter.h"
 #include "cli/manners.h"

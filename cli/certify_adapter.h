@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Controllers that are recorded: programs through an adapter.
 #pragma once
 

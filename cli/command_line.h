@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The command line: verbs with their options, and what help, manual pages and completion are made of.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Completion on the command line: scripts of shells, and the answers they ask for.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // toolcomp config: setups and cases.
 #include <array>
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A controller as the subject of a campaign.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // toolcomp corpus: the golden corpus, hard cases, long programs.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // toolcomp diff: model against fast, or the formal specification, and the first difference explained.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The text of one event, in the formats that need no other event for it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // toolcomp certify --evidence: the bundle beside the report.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // toolcomp explain: block by block, the clauses applied, each decision with its exact value and the double nearest to
 // it.
 #include <fmt/format.h>

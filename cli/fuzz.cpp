@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // toolcomp fuzz: the search for differences, by the clang targets of build/fuzz, or by the built-in driver.
 #include <fmt/format.h>
 

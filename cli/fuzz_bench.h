@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the workers of `toolcomp fuzz` find what they need.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // toolcomp fuzz --campaign, and the processes that work for it.
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What `toolcomp fuzz` finds, on disk from the moment it is seen.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // toolcomp fuzz-worker: the built-in driver as a worker of a campaign.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // toolcomp kit: programs, offsets and run sheet for a control without a pipe; its recordings judged.
 #include <fmt/format.h>
 

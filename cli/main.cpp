@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The toolcomp command: calls a verb, turns errors into exit statuses.
 #include <csignal>
 #include <exception>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How the command speaks: what it says besides its data, on standard error; colors; what a terminal can show.
 #pragma once
 

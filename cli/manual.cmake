@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # What the command makes of its own definitions: manual pages and completion scripts; and what is installed with it.
 
 # The day of the last change of the pages, so that two builds give the same bytes; SOURCE_DATE_EPOCH counts before it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Manual pages in mdoc, made of the definitions of verbs and setups.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the manual page of a verb says besides its options.
 #pragma once
 

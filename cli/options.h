@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How verbs name their options: what each takes is a word, which help, manual pages and completion read.
 #pragma once
 

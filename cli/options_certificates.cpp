@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Verbs that judge a control: certify, verify, replay, kit.
 #include <memory>
 

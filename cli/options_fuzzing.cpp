@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verb fuzz, and the unlisted ones of the processes that a campaign begins.
 #include <memory>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Verbs for one program: run, diff, explain, view, serve.
 #include <map>
 #include <memory>

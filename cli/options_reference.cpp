@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Verbs for what stands written: corpus, spec, config.
 #include <map>
 #include <memory>

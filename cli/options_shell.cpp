@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Verbs for a shell and for the build: completion, and the making of manual pages.
 #include <iostream>
 #include <memory>

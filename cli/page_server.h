@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One page over HTTP on 127.0.0.1, and word to the browsers that have it when it has changed.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a verb works on, as the command line names it, and how its alarms are reported.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The page of a program, from its files: what `view` writes and serves, and `run --format html` prints.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Progress on a terminal: one line on standard error, rewritten; nothing where it is no terminal
 // that can be drawn over, or with --quiet.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // toolcomp replay: a finding, judged again.
 #include <fmt/format.h>
 

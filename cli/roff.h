@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Text of a manual page: macros of mdoc, and text in which nothing is taken for one.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // toolcomp run: the events of one program, as they come.
 #include <iostream>
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // toolcomp run on several processors: the same bytes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // toolcomp serve: the controller protocol, for our own engines.
 #include "certify/serve.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // toolcomp spec: the clauses, where each is found, what the golden corpus exercises of them; keys and parameters of
 // setups.
 #include <filesystem>

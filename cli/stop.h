@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An end asked for from outside: by a signal, or by a time limit.
 #pragma once
 

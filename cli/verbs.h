@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verbs of the toolcomp command: what each takes, already read from the command line. Each returns an exit status.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // toolcomp verify: whether a certificate is what its evidence says.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // toolcomp view: a page to step through a program, written or served.
 #include <unistd.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether files have changed: looked at from time to time, which works on every file system and for every editor.
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # What the command is built of, for the bill of materials of evidence bundles (certify/bundle/sbom.h): the libraries with
 # the versions of their Debian packages; elsewhere what CMake knows of them.
 find_program(TOOLCOMP_DPKG_QUERY dpkg-query)

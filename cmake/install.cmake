@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Installed: the command with the files it needs, the library of C, and the libraries of the specification and both
 # engines, found by find_package(toolcomp) and by pkg-config.
 include(CMakePackageConfigHelpers)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # How everything of ours is compiled: toolcomp_options is linked by every target.
 add_library(toolcomp_options INTERFACE)
 target_include_directories(toolcomp_options INTERFACE

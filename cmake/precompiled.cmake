@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Headers of the system and of libraries, parsed once for everything compiled here: they take more than half of the time
 # of a file. None of ours is among them, so a change never compiles them again. What a file forgets to include the
 # builds no longer see: `./dev includes` looks at every file by itself.

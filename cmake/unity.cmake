@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Several files are compiled as one, where none of them has a name of its own (in an unnamed namespace) that another has:
 # headers and templates are most of what a compiler does here. Whoever needs every file by itself, as clang-tidy does,
 # configures with TOOLCOMP_UNITY=OFF; `./dev includes` looks whether each includes what it needs.

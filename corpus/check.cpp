@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "corpus/check.h"
 
 #include "corpus/vector.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs golden vectors: through both engines, or through a controller.
 #pragma once
 

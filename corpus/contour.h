@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs of real length: closed contours of short lines and arcs, made from splines.
 #pragma once
 

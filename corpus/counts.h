@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whole-number arithmetic of the makers of long programs: the same bytes on every compiler.
 #pragma once
 

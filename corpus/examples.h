@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Inputs written by hand: the worked examples of the manuals, and one program for each rule that chance seldom meets.
 #pragma once
 

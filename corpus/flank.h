@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A five-axis program of real length: the ruled flank of an impeller blade, cut with the side of the tool.
 #pragma once
 

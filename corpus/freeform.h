@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A finishing program of real length, as a CAM system writes it: LN blocks over a free-form surface.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Makes golden vectors: the examples written by hand, then generated ones chosen for what they reach.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The golden corpus: vectors in files of one case a line, in a folder a section, pinned by a manifest.
 #pragma once
 

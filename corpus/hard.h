@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hard cases: for every decision by sign the programs nearest to its boundary, for every section the largest deviations
 // of the fast engine; searched for (mine/mine.h), kept in corpus/hard, and run again.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The files of the hard cases: manifest, cases, and the page with the tables.
 #pragma once
 

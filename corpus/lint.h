@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules that a golden corpus keeps beyond being right.
 #pragma once
 

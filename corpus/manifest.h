@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The manifest of a golden corpus: what belongs to it, and the digests that pin it.
 #pragma once
 

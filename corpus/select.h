@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Chooses, among generated cases, those that together reach the most.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // SHA-256, for manifests and certificates. The digest itself is Nettle's.
 #pragma once
 

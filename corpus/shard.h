@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shards of corpus generation: what each of N machines found, as a file, and the corpus made of all of them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One machine's share of work that is done in N of them.
 #pragma once
 

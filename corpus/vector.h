@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a vector holds besides its setup and program: all of it follows from running the model.
 #pragma once
 

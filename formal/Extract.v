@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** The formal specification as OCaml, over numbers that whoever runs it gives. Whole numbers are those of OCaml, and so are
     these operations on them and on texts: as Coq defines them they go through binary digits, or compare whatever it is. *)
 From Coq Require Import Extraction ExtrOcamlBasic ExtrOcamlNatInt ExtrOcamlZInt ExtrOcamlNativeString String ZArith.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cases as the formal specification takes them: trees of whole numbers and texts, read by the readers of spec/language.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plain data between C++ and OCaml. The kinds are the constructors of `data` in run.ml, in their order.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The formal specification (spec/formal/program), run: its functions as Coq extracts them, over the exact numbers of
 // the model. Only these numbers are shared with the model, no rule.
 #pragma once

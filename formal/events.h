@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the formal specification says of a run, as events.
 #pragma once
 

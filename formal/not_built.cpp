@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where there is no Coq or no OCaml.
 #include <stdexcept>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The C interface of OCaml: numbers for the extracted specification, and data to it and back.
 #define CAML_NAME_SPACE
 #include <caml/alloc.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parts of setups and programs as plain data, the same in both dialects.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Positions that the formal specification tells, by axes.
 #pragma once
 

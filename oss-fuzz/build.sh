@@ -1,4 +1,5 @@
 #!/bin/bash -eu
+# SPDX-License-Identifier: Apache-2.0
 # Builds the fuzz targets as OSS-Fuzz and ClusterFuzzLite ask for it: sources in $SRC/toolcomp, compiled by $CC and $CXX
 # with $CFLAGS and $CXXFLAGS in $WORK, linked with $LIB_FUZZING_ENGINE, put into $OUT. Beside each target NAME stand its
 # seeds (NAME_seed_corpus.zip), its dictionary (NAME.dict) and its options (NAME.options). Arguments are the targets to

@@ -1,4 +1,5 @@
 #!/bin/bash -eu
+# SPDX-License-Identifier: Apache-2.0
 # libraries.sh SOURCES PREFIX: what the fuzz targets are linked with, static, by $CC and $CXX (with $CXXFLAGS: their C++
 # library) from the sources of Debian packages unpacked in SOURCES. They are not instrumented: what is fuzzed is toolcomp.
 set -o pipefail

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The bill of materials of the packages in FOLDER, as SPDX 2.3 (JSON), into FOLDER/sbom.spdx.json.
 
 What each package depends on is read from the packages; of what was linked in, the versions are those of the machine

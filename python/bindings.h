@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parts of the extension toolcomp._core. What users see is Python (toolcomp/*.py): here is only what crosses over.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The formal specification runs in one thread for ever (formal/engine.h), whichever thread of Python asks.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The extension as a whole.
 #include <pybind11/stl.h>
 

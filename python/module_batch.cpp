@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lines by the million: numpy arrays in and out, without copies.
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Certification of a command, of an engine of ours, or of a controller written in Python.
 #include <pybind11/functional.h>
 #include <pybind11/stl.h>

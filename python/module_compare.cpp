@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The model against another engine, and block by block.
 #include <pybind11/stl.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The golden corpus, a file at a time.
 #include <pybind11/stl.h>
 

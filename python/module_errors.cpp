@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What C++ throws, as exceptions of toolcomp/errors.py.
 #include <exception>
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Setups and programs: from files, text and cases.
 #include <pybind11/stl.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs, a few events at a time.
 #include <pybind11/stl.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Recorded runs, from arrays in memory or from a CSV.
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How numbers of the engines cross over, inside events as JSON (toolcomp/numbers.py reads them).
 #pragma once
 

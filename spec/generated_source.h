@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the generators of C++ have in common: clauses/generate.cpp and parameters/generate.cpp.
 #pragma once
 

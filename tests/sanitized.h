@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether a test runs under AddressSanitizer, where memory is reserved otherwise and exact numbers are slow.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Setups of which each differs from another in one value: every value of every key, and every other member of Setup and
 // of its rows. What reads, writes, compares or encodes setups is held to all of them, so none can be forgotten there;
 // and none can be forgotten here, for the members are counted.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Tests are compiled several files at a time: headers and their templates are most of what a compiler does with one. Tests
 # take the same short names (`run`, `setup`), so each file stands in a namespace of its own, in which the namespaces it
 # opens mean those of the library. What they include stands above all of them. `./dev includes` compiles each by itself.

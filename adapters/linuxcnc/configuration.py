@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The files of a start of LinuxCNC: sim.ini and sim.hal for a machine of perfect drives, recorded each period."""
 SERVO_PERIOD = 200_000  # ns
 VELOCITY = 2000  # mm/s, degrees/s

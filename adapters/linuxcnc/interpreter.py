@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """LinuxCNC's interpreter alone (rs274): a program in, its canonical moves out, in full double precision."""
 import ctypes
 import os

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
 """Runs the programs of a kit (docs/kits.md) in LinuxCNC and records them, as an engineer would on a shop floor.
 
 kit.py KIT RECORDINGS [--offset H3=12.7]: offsets are entered from the kit's list, offsets.csv, into LinuxCNC's own tool

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Where LinuxCNC is known to do otherwise (known_differences.toml): told from the program as written alone.
 
 Never from what LinuxCNC makes of it, so that a new difference cannot pass for a known one.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What LinuxCNC has to be to run a setup: the kinematics module, its axes and its pins."""
 from dataclasses import dataclass, field
 from fractions import Fraction

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
 """The whole controller: runs a batch of programs in LinuxCNC and records the joints (docs/adapters.md).
 
 motion.py [--ask] BATCH_FOLDER: in it NNN/program.nc and NNN/setup.json; out come NNN/trace.csv, or NNN/alarm.txt with

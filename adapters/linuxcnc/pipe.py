@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
 """The interpreter alone behind the controller protocol (docs/protocol.md): one JSON line asks, one answers."""
 import json
 import sys

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The sampler's text as one recording a program."""
 from configuration import GAIN
 from translate import PREAMBLE

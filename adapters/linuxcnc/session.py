@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """One start of LinuxCNC without hardware or screen, as a user who may (rtapi_app refuses root), and its end.
 
 Every process started here has the mark of the adapter in its environment, so that what was left by a killed adapter is

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """FANUC programs as LinuxCNC reads them, line for line: line k of a program is line k + PREAMBLE of its translation."""
 import re
 from dataclasses import dataclass

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
 """What LinuxCNC starts as its display: runs the programs of the folder it stands in, one after the other.
 
 jobs.json is a list of {"number", "program", "pins": {name: value}, "patience"}; done.txt gets a line a program:

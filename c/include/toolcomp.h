@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* toolcomp for C, and for whatever calls C: the fast engine, a block at a time or by arrays.
  *
  * Lengths are in the units of the setup (mm or inch), angles in degrees. What a control has no number for is NaN.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Members of an archive that anybody may have made.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A tar archive, compressed by zstd and sealed: the same members, the same bytes.
 #pragma once
 

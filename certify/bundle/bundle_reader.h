@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A bundle whose structure and checksums are right.
 #pragma once
 

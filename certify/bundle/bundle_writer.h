@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Evidence: everything needed to repeat a certificate, in one file (docs/evidence.md).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // manifest.json of a bundle: what is in it, and how the certificate was asked for.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "certify/bundle/planned_cases.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which cases a certificate has to have: the golden vectors of its sections, generated ones by their seed, and those
 // given by name.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // results.jsonl of a bundle: what is said of each case, a JSON object a line.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The bill of materials: toolcomp and what it was built of.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The last bytes of a bundle: a digest of all that stands before them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A detached signature beside a bundle, FILE.asc, made and checked by gpg.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "certify/bundle/spool.h"
 
 #include <stdlib.h>  // NOLINT(modernize-deprecated-headers): mkstemp

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A file without a name: whatever ends the process, nothing of it is left.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "certify/bundle/verify.h"
 
 #include <fmt/format.h>

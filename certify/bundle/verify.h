@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether a certificate is what its evidence says.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a campaign shows of itself while it runs.
 #pragma once
 

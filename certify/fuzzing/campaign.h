@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A campaign: workers on targets in turns, what they find settled, everything in one folder that the next start takes
 // up.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The folder of one finding: everything somebody needs to believe it, and to repeat it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ways a bug shows, put together: one mistake shows at several clauses and in many programs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The folder of a campaign:
 //   state.json        what it has done (state.h)
 //   corpus/TARGET     inputs that reached something new

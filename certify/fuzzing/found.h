@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a campaign has found, as its folder holds it.
 #pragma once
 

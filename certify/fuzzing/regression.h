@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Findings that were fixed: corpus/regression.
 #pragma once
 

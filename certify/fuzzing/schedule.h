@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which target gets the next slice of time, and how long a slice is.
 #pragma once
 

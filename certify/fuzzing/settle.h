@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a worker saw, looked at again: from "something differed" to a finding that anybody can repeat.
 #pragma once
 

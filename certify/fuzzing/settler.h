@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sightings looked at, one at a time and in a process of its own: what ends it costs one finding its shrinking, and the
 // campaign nothing.
 #pragma once

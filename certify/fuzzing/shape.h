@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is left of a shrunk program when its numbers go: what tells two bugs apart that show at one clause.
 #pragma once
 

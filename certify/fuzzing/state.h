@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a campaign has done so far: state.json of its folder.
 #pragma once
 

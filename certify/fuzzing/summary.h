@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a campaign has to say at its end: what was covered, and whether "nothing found" means anything.
 #pragma once
 

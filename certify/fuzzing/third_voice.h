@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The formal specification as the third voice of a campaign: a process beside the workers that holds the model against
 // it, on what workers keep and, while nothing waits, on generated cases.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One worker of a campaign: a process that works on one target for one slice of time.
 #pragma once
 

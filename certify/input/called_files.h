@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The files that a program calls, and where their lines stand in the text of all of them joined.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is worked on: a case or a program with its setup, from files or from memory.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Alarms noted by hand: the form that a kit brings, and what was written into it.
 #pragma once
 

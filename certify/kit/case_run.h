@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One case on the machine: the program with this case alone, run through the model.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The certificate of a kit: JSON and a page.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The choice: which vectors, under which parameters, show the outcomes.
 #pragma once
 

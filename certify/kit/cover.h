@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The least that shows the most: a greedy cover.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Recordings and noted alarms of a kit judged.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A kit: what an engineer carries to a machine, as it is written to a folder and read back.
 #pragma once
 

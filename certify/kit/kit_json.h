@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // kit.json: what a kit holds, for `kit judge`.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The Klartext side of a kit: which vectors go to the machine, the tools they share, the words around them.
 #pragma once
 

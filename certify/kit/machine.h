@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The machine that a kit is for: its setup, and how far its axes may go.
 #pragma once
 

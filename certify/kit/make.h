@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Chooses vectors of the golden corpus for a machine and makes programs of them.
 #pragma once
 

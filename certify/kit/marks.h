@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Marks: rests of distinct lengths by which a recording with a time column shows which program it is, and where its
 // cases end.
 #pragma once

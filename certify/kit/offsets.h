@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The one table of offsets that all cases of a kit share, and the numbers that their programs have in it.
 #pragma once
 

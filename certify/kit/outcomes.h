@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Outcomes of clauses by index: what a run reaches, and which of them a kit is asked for.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which parameters a kit changes, and which it leaves as they are on the machine.
 #pragma once
 

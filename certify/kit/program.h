@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The text of a program of a kit: a safe start, its mark, cases one behind the other, and an end.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rests in a recording, by which the programs of a kit are found.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The run sheet of a kit: what to set, to check and to record, and what each program shows.
 #pragma once
 

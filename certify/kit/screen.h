@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which vectors could be run on a machine at all: what their words say.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The way of a run, for telling two runs apart.
 #pragma once
 

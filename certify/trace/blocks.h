@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A program that the model runs as far as it is asked to.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Boxes around straight lines in a row, so that those near a position are found without asking each.
 #pragma once
 

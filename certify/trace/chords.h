@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A curve divided into chords, one after the other.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far the axes bend inside a move: certified bounds of the error of a chord.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far a recording is from the path, sample by sample: for pictures.
 #pragma once
 

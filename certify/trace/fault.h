@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where a recording and the path part, and what is said of it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far the path between two matched places is from the recording, and what was left out of it.
 #include <algorithm>
 #include <vector>

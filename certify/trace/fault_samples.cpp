@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far samples are from the path between two matched places.
 #include <algorithm>
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which places of the path a recording may have reached: the free-space diagram of Alt and Godau, column by column.
 #pragma once
 

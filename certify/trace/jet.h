@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers that carry bounds of their value and of their first two derivatives by t.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A recording matched with the path, and found again where it is lost.
 #pragma once
 

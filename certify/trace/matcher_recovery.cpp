@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a match that was lost is found again.
 #include "certify/trace/matcher.h"
 

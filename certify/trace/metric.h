@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far positions are from straight lines, and which parts of a line lie near a position.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rotary axes of a machine and their motions inside a block (model/kinematics/posture_motion.h), in intervals.
 #pragma once
 

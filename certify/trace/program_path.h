@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The exact path of a program, from the model, piece by piece as they are asked for.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Recorded axis positions: the CSV of a trace.
 #pragma once
 

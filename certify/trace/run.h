@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The samples since a match was lost.
 #pragma once
 

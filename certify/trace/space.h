@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The space in which a recording is compared with the path: the recorded axes, linear and rotary ones apart.
 #pragma once
 

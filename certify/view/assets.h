@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The style and the script of the interactive view, bundled when this is built (CMakeLists.txt), in pieces: some
 // compilers take no long literals.
 #pragma once

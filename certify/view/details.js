@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is said of a block beside the drawing: its text, what comes of it with exact numbers, and what decided.
 import { exact, numbersTable } from './numbers.js';
 import { element, toolWords } from './words.js';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes the style and the script of the interactive view as C++: `toolcomp_embed STYLE SCRIPT OUTPUT`.
 #include <algorithm>
 #include <exception>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The keys, in a dialog.
 import { element } from './words.js';
 

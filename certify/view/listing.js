@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The text of the program beside the drawing: the block selected, marks of alarms, a search. Of a long text only the
 // lines that are seen are there.
 import { element } from './words.js';

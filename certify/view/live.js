@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A served page: comes again when its server says that the program has changed, at the block where it was.
 
 const KEY = 'toolcomp view';

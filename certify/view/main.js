@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Brings the views of a page to life, each when it is first seen. Where there is no WebGL the pictures stay; a page of a
 // program then has its blocks beside them.
 import { Live } from './live.js';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers of a program's page: exact ones as short texts, doubles by their distance from them.
 #pragma once
 

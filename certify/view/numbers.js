@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers as the page has them (number_words.h), as elements.
 import { element } from './words.js';
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The frame around a drawing: buttons, keys, mouse, and the words on what is selected. A page of a program has its blocks
 // beside it.
 import { describeBlock, sayBlock } from './details.js';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The text of a program, line by line, and where its blocks stand in it.
 
 const packed = (text) => text.replace(/\s+/g, '').toUpperCase();

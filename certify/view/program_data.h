@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a program's page says of each block, as data: text, exact numbers, decisions.
 #pragma once
 

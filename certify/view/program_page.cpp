@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "certify/view/program_page.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The page of `toolcomp view`: a program to step through, its blocks beside the drawing.
 #pragma once
 

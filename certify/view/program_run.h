@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A program run by both engines side by side, block by block in the order in which blocks run: what its page shows.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A run as the page has it (view.cpp): its courses step by step, and what is measured on them. Points are [x, y, z].
 import { Program } from './program.js';
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /*! Drawn with three.js, which comes with this notice:
 
 The MIT License

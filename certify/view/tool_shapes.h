@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The shape of the tool in force, as far as setup and program say it: for pictures.
 #pragma once
 

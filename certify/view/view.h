@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A run as a page shows it in space, block by block: its picture, and beside it the data of the interactive view
 // (README.md).
 #pragma once

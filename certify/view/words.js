@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is said of a step beside the drawing, as elements: its text is never read as markup.
 import { length, minus } from './run.js';
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The search for the place where a quantity is zero, or as near to it as decimals allow.
 #pragma once
 

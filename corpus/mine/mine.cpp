@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "corpus/mine/mine.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Intervals of floating-point numbers, and those that sums of roots and cosines lie in. *)
 From Coq Require Import ZArith QArith Qreals Reals Lra List.
 From Interval Require Specific_bigint Specific_ops Float_full Xreal Basic.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** What is written down of a run, beside the run: the same words in the same places, and numbers in pairs. *)
 From Coq Require Import List String ZArith Bool.
 From Toolcomp Require Import Numbers Data Case.

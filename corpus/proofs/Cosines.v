@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Cosines of rational numbers of degrees: what can be said of them without rounding. *)
 From Coq Require Import ZArith QArith Qreals Reals Lra Lia List.
 Import ListNotations.

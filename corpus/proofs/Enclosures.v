@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Numbers that Coq computes with: a rational, a sum of square roots and cosines with rational coefficients, a ratio of
     such sums, or an interval of floating-point numbers, each with the real number that it encloses. What their signs
     decide is decided for the real number. *)

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Sums of square roots of natural numbers and cosines of degrees, with rational coefficients: what can be said of them
     without rounding. *)
 From Coq Require Import ZArith QArith Qreals Reals Lra Lia List.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Programs that Coq runs: what it computes with enclosures holds of the real numbers. *)
 From Coq Require Import List ZArith QArith Qreals Qabs Reals Lra Lia.
 From Param Require Import Param.

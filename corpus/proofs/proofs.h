@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Golden vectors as lemmas of Coq: the formal specification, run over the real numbers, says what is recorded, every
 // number of it (corpus/proofs/Runs.v). Nothing is taken from the engines.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cases, and what is expected of them, as terms of Coq.
 #pragma once
 

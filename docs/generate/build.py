@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Builds the documentation: pages, pictures and tables into FOLDER/pages, the site into FOLDER/site.
 
 build.py [FOLDER]; FOLDER is build/docs. Nothing in it depends on the day or the place: two builds give the same bytes.

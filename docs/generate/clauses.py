@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Clauses as HTML: text, formula, source, alternatives, decisions, and where each is found."""
 
 import collections

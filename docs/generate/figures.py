@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Figures of the reliability statement that are counted in the build, and tables that stand elsewhere."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Definitions and theorems out of the Coq files, with their docstrings."""
 
 import html

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """TeX between $$ … $$ (a line of its own) and \\( … \\) as MathML, made by blahtexml: no script draws it in the browser."""
 
 import functools

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Pages of the source tree as pages of the site: where each stands, and where its links lead."""
 
 import os

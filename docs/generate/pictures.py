@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Pictures that toolcomp draws, of programs in examples and of worked examples in the golden corpus."""
 
 import functools

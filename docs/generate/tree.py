@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What the generators read: the source tree, and the toolcomp command that was built from it."""
 
 import json

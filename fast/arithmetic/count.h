@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exact numbers of a program: whole counts of a unit in which every word and every setup value is whole.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Double-double numbers: an unevaluated sum hi + lo with |lo| <= ulp(hi) / 2, about 106 bits.
 // Error bounds (Joldes, Muller, Popescu, "Tight and rigorous error bounds for basic building blocks of double-word
 // arithmetic", 2017), u = 2^-53: sum 3u^2 (relative to the operands' magnitudes here, which is what cancellation

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sine and cosine to more digits than a double has, in less time than fine_sine_cosine() takes.
 #pragma once
 

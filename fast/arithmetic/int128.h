@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whole numbers of 128 bits (GCC and clang).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sine and cosine of angles in degrees, reduced exactly: multiples of 90 degrees are exact.
 #pragma once
 

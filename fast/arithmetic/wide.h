@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Signed whole numbers of 512 bits, for predicates that must be exact: no allocation, no loop over unknown lengths.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Loops over arrays, compiled for several kinds of processors from one text. Nothing is reordered or fused: all of them
 // give the same bits.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lines as arrays, as a stage of compensation sees them: a few hundred blocks whose words are whole numbers already.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The moves of many blocks, an array for each axis.
 #pragma once
 

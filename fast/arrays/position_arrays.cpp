@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fast/arrays/position_arrays.h"
 
 #include "fast/arithmetic/count.h"

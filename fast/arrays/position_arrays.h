@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What arrays of lines have in common: where their axes go.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whole numbers by doubles alone, for vector code, which has no products of 64 bits: sums of products are rounded once.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Words given as doubles, as the decimals of a program.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The alarms of the control: number and text.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Seeded faults: mistakes an engineer could make, switchable in a test build, so that the harness can be measured.
 #pragma once
 

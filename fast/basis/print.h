@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers of the fast engine as text: ours, because std::to_chars takes three to five times as long
 // (tests/bench/print_bench.cpp).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Short cuts for the usual block: what the general path does, without its detours. A test build can close them, so that
 // one can be held against the other (tests/harness/short_cuts.cpp).
 #pragma once

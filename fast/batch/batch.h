@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lines by the million: arrays of words in, arrays of axis positions out. What CAM systems, post processors and
 // simulators call.
 #pragma once

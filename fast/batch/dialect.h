@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What differs between dialects: the engine, and how a block is made of words.
 #pragma once
 

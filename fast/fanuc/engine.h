@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The fast engine: what a controller would ship. Double precision, streaming, no allocation per block.
 #pragma once
 

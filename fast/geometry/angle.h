@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Polar angles in degrees.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vectors at a corner of two offset paths: perpendiculars, intersections, prolongations (chapter 14.6.1 and 14.6.3).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Directions of travel at a corner, exactly, and the turn from one to the next.
 #pragma once
 

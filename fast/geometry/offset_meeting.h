@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where two offset paths meet: the formulas, over double or DoubleDouble.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fast/geometry/path.h"
 
 #include "fast/arithmetic/wide.h"

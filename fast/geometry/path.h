@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One straight line or arc of the programmed path, in the compensation plane.
 #pragma once
 

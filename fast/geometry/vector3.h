@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vectors in space, over double or DoubleDouble.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The fast engine of Heidenhain controls: double precision, streaming, no allocation per block.
 #pragma once
 

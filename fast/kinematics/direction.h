@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A tool direction: tip to holder, in the programming coordinate system.
 #pragma once
 

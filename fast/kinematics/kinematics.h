@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool direction from rotary axes (fanuc.tool-direction.*).
 #pragma once
 

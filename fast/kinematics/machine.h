@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The machine as tool center point control sees it: types 2, 12 and 21 of No. 19680
 // (fanuc.tool-center-point.inverse, choice, control-point-*).
 #pragma once

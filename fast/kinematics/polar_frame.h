@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The inverse kinematics of any pair of rotary axes (fanuc.tool-center-point.inverse), in the system of the
 // work-side axis.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the rotary axes stand, and the direction they give the tool.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The angles of unit vectors, without a division.
 #pragma once
 

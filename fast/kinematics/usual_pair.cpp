@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The usual choice of the pair of rotary positions, in doubles: one is nearer, and inside the movement ranges.
 #include <algorithm>
 #include <cmath>

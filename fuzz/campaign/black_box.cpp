@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fuzz/campaign/black_box.h"
 
 #include <fcntl.h>

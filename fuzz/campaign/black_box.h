@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A file in memory that outlives its process: what it tried last, and what it could not write elsewhere.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The built-in fuzzing driver, guided by the model's recorder.
 #pragma once
 

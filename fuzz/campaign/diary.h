@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a worker of a campaign leaves on disk while it works, so that no end of it loses anything.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One search of the built-in driver: its corpus, its engines, its findings.
 #pragma once
 

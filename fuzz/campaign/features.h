@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a run of the model reached, as small numbers: clause × outcome × margin bin.
 #pragma once
 

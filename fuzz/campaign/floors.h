@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a target must reach for its silence to mean something.
 #pragma once
 

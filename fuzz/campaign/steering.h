@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What guides a search: which new things make an input worth keeping, and which mutations ask the model first.
 #pragma once
 

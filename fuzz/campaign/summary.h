@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Results of campaigns: added up, passed between processes, printed.
 #pragma once
 

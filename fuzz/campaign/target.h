@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The fuzz targets by name: two of each section, and the readers.
 #pragma once
 

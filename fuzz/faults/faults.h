@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The seeded faults of fast/basis/faults.inc, with what the harness must say about each.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Wrong clauses that both engines follow alike. Each engine stays as it is: a program or a setup is altered behind its
 // back, so both run the wrong thing and agree, and the events are held against the case as it was written. Only a law
 // can find it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The lines, one letter first: those of the keys in spec/parameters.toml (u inch   v), which stand for what is not the
 // default, and
 //   a LETTERS (axes)   p NUMBER[#BIT] VALUE   m a|b|c COUNT   h NUMBER GEOMETRY WEAR   d NUMBER GEOMETRY WEAR

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cases as a fuzzer's bytes and back.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Generators of cases over an abstract source of choices.
 #pragma once
 

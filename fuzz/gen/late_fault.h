@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs that end early, changed so that more of them is judged.
 #pragma once
 

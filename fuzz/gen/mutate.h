@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Changes to a case: blocks, words, digits, setup values.
 #pragma once
 

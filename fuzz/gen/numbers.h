@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The numbers of a case, each of which can be changed by itself.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Program text as lines of words, for changing it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A mutation that knows the exact model: it pushes a decision toward its boundary.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One generator a section: directed cases.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs with the slip of a pen: what a control meets when a program was typed or edited by hand.
 #include <string>
 #include <utility>

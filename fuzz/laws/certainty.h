@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is certain of an exact value. A law holds for exact numbers, so no tolerance is granted: the bounds of a
 // residual that is zero contain zero, however wide they are, and a violation is certain once they do not.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Metamorphic laws: a program changed in a way whose effect geometry knows. The model runs once more, so they are asked
 // of a share of the trials; which of them, and whether, follows from the text of the program alone.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a law is asked: what it is given, and what it says.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laws beside clauses: the third voice. Two engines that follow one wrong clause agree; a law knows no clause. It holds
 // the model's exact events against a definition or a theorem of the section and against geometry, and a violation is
 // certain (certainty.h). What exempts a case is said where the law is declared; a law never cries wolf.

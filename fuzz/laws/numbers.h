@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers of programs and events as exact ones.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fuzz/oracle/arc_fit.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Arcs judged by backward error: by the heads a controller has at both ends.
 #pragma once
 

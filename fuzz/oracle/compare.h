@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One expected event against one actual event, by the policy table.
 #pragma once
 

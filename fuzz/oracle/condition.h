@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The scale of an event's coordinates and the condition of its compensation vector, from exact events alone.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The reader and the engines of a control. The one place where a setup's control chooses them.
 #pragma once
 

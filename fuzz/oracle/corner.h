@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How well the end of a compensation vector in a plane is determined, from the exact events around it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How long decisions of a streamed run are kept.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What places the head of a compensation vector in a plane: lines and circles at a distance from the paths.
 #pragma once
 

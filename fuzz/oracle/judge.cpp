@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Verdicts on whole lists of events, with the outcomes the specification permits near ties.
 #include <fmt/format.h>
 

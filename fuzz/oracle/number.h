@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Distances between an exact value and a number an engine or a controller gave.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One run of the model against one list of events, pair by pair.
 #pragma once
 

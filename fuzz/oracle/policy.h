@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The one policy table: how far a value may lie from the exact one, and when a decision counts as a near tie.
 //
 //   output                                        rule

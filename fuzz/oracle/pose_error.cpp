@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fuzz/oracle/pose_error.h"
 
 #include <algorithm>

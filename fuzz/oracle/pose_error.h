@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How well tool directions and rotary positions under tool center point control are determined.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Poses judged by backward error: from the rotary positions that a controller reports, forward to what it does.
 #pragma once
 

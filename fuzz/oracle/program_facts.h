@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What scales and conditions need of a program and no event says, and from which block on.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Arcs by R: how well their centre is determined.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rotary axes of a machine in double, for scales and conditions: read from the setup here, by neither engine.
 #pragma once
 

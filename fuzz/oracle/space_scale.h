@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The scale of events of 3D tool compensation (Heidenhain), from exact events alone.
 #pragma once
 

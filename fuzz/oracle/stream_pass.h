@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Both engines in step over a program of any length: one pass, block by block.
 #pragma once
 

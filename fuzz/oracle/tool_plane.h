@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How well the end of a compensation vector is determined in the plane at right angles to the tool.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One case through both engines and the judge.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Verdicts: is a list of events what the specification permits for a case?
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How wide the widths are that the policy granted, over many values.
 #pragma once
 

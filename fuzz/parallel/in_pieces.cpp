@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fuzz/parallel/in_pieces.h"
 
 #include <condition_variable>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A long piece of work, done in pieces side by side, with what one thread would give.
 //
 // The pieces come in order from one thread. Each is worked on from a start that is guessed, and the state of the work

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fuzz/parallel/judge_in_pieces.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // judge_stream (fuzz/oracle/verdict.h) on several processors.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The blocks by which an engine may be brought to a place of a program without running all of it: a guess.
 #pragma once
 

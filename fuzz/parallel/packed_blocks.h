@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Blocks of a program kept in little memory: of a FANUC block the words that are there.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A text that comes a few bytes at a time, as a pipe gives it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any bytes as a case and as the reply of a controller: read or refused; the text of what is read is a fixed point of
 // reading and writing, in both layouts.
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any bytes as a setup, JSON if they begin with {, else TOML: read or refused; what is read is read back equal from
 // both formats.
 #include <optional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs a target on files and folders, for compilers without libFuzzer and for regression runs.
 #include <cstddef>
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A libFuzzer target of one section: the bytes are the case (fuzz/gen/encode.h), every execution runs model and fast
 // engine and judges. Three lines make one.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What every target does as a worker of a campaign: where TOOLCOMP_FUZZ_WORK names a folder, it keeps a diary there and
 // a difference does not end it; elsewhere it has none and aborts at the first.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a block ends the run.
 #pragma once
 

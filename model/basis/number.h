@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the decimals of a program and of a setup are worth.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "model/basis/print.h"
 
 #include "spec/language/event_map.h"

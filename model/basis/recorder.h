@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Clause marks: every decision of the model passes through here.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sums of cosines of rational degrees with integer coefficients: the ring in which sines and cosines are multiplied out
 // and proven zero.
 #pragma once

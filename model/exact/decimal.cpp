@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is read out of a value: bounds, doubles and decimals.
 #include <algorithm>
 #include <cmath>

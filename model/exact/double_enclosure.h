@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Enclosures with ends in double: wider than those of MPFR, and made in a twentieth of the time. Most signs are certain
 // here. Each operation is rounded to nearest and its ends moved outwards by one number, so that they hold every value
 // the operation takes on points of its operands.

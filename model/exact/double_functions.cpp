@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sines, cosines and arc tangents in double: from the nearest entry of a table, which Arb fills, by a series whose rest
 // is enclosed too.
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Enclosures: closed intervals with MPFR endpoints. Every operation rounds outwards, so the result contains every value
 // the operation takes on points of its operands. There are no comparison operators, only signs that are certain.
 #pragma once

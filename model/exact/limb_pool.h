@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where GMP and MPFR get the memory of numbers from.
 #pragma once
 

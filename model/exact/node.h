@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The nodes behind Real: rationals and operations on other nodes, pooled and reference-counted within one thread.
 #pragma once
 

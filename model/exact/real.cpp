@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Construction of values: everything that can be folded to a rational or to a smaller expression is folded here.
 #include "model/exact/real.h"
 

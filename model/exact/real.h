@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exact real numbers: rationals, and expressions over square roots, sines and cosines with certified signs.
 #pragma once
 

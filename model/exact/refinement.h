@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Enclosures of a whole expression, recomputed at a higher precision.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Polynomials in square roots and unknowns over sums of cosines, and the decision whether one is zero.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sums, products and quotients of rationals. Where numerators and denominators are numbers of one machine word, as
 // those of programs mostly are, they are computed here, in a third of GMP's time; else by GMP.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A sign is read off the enclosure, else off a finer one, else zero is proven, else a still finer enclosure is tried.
 #include "model/exact/sign.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a number was made, for comparing states: equal bytes are equal expressions, with what they share, how far they
 // have been refined and what could not be decided. From there the same operations give the same signs and the same
 // digits. Enclosures in double and of 128 bits are left out: made at the first question, they say how soon a sign is

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Enclosures of sines and cosines of degrees, and of arc tangents.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vectors of exact numbers, in whatever frame and unit the caller states.
 #pragma once
 

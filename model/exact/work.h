@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The work a decision may cost, counted in operations so that the outcome is the same on every machine and run.
 #pragma once
 

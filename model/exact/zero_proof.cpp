@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An expression is brought into the form numerator / denominator, where the numerator is a polynomial in square roots
 // and unknowns over sums of cosines and the denominator is certainly not zero; then the numerator is decided.
 #include "model/exact/zero_proof.h"

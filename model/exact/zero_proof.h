@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The proof that an expression is zero, where no enclosure can tell.
 #pragma once
 

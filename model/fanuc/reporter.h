@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a run gives: steps, alarms and what could not be decided, as events.
 #pragma once
 

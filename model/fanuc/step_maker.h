@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From a block's words to its step: everything about it but its compensation vector.
 #pragma once
 

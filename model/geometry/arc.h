@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The arc of a G02 or G03 block in its plane.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Planes of arcs and of cutter compensation: G17, G18, G19.
 #pragma once
 

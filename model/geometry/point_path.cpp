@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "model/geometry/point_path.h"
 
 #include <utility>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The path of a point from one end of a move to the other: a line, or a turn about an axis of space.
 #pragma once
 

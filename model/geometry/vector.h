@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vectors in X, Y, Z over exact numbers.
 #pragma once
 

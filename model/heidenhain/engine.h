@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The exact reference engine of Heidenhain controls: Klartext blocks in, events out.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The position of a rotary axis, exact: rational degrees, whole turns included, or with a rest known by its cosine and
 // sine. Comparisons read signs of algebraic numbers; the angle in degrees is for output only.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What all blocks of one G43.4 or G43.5 share.
 #pragma once
 

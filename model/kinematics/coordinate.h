@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A coordinate that does not chain: sums over any number of blocks stay as small as one number.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rotary positions from a direction: every solution, and what a branch is followed by.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A machine with two rotary axes: tool direction and control point from the positions of its axes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parameters that say how the rotary axes turn the tool, read in one place.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The choice between the computed angles of a direction, and the ranges of the rotary axes (type 2, I J K).
 #pragma once
 

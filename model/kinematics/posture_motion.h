@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The tool and the rotary axes inside a block run under tool center point control.
 #pragma once
 

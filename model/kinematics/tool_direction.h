@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The direction of the tool, tip to holder, from the positions of the rotary axes.
 #pragma once
 

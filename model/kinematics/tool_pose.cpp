@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "model/kinematics/tool_pose.h"
 
 namespace toolcomp::model {

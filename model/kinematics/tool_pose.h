@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How the tool stands at the end of a move under tool center point control, and what it does on the way.
 #pragma once
 

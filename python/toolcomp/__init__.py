@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """An exact reference of CNC tool compensation.
 
 ``run`` a program through the exact model, the fast engine or the formal specification; ``diff`` and ``explain`` it;

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Cases: a setup, a program and what is expected. Golden vectors and what a controller is asked are cases."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Certification: a controller against the exact model."""
 
 from __future__ import annotations

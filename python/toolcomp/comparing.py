@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The model against another engine."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Controllers written in Python: from a function or an object to lines of the protocol (docs/protocol.md)."""
 
 from __future__ import annotations

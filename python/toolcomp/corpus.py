@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The golden corpus: vectors with setup, program and expected events."""
 
 from __future__ import annotations

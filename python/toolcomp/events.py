@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Events: what a run yields, in order. docs/events.md says what each field means; lengths are in the units of the
 setup, angles in degrees, numbers exact where an exact engine gave them (:data:`toolcomp.Number`)."""
 

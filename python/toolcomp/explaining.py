@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Why a block does what it does."""
 
 from __future__ import annotations

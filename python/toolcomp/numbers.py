@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Exact values: a Fraction where a value is rational, else a decimal and how far off it may be."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Recorded runs against the exact path (docs/trace.md)."""
 
 from __future__ import annotations

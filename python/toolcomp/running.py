@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Runs: a program through an engine."""
 
 from __future__ import annotations

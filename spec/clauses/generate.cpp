@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Turns the clause files into C++: `toolcomp_clauses CLAUSE_FOLDER OUTPUT_FOLDER` writes clauses.h and clauses.cpp.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** The vectors of program/ in space, over the real numbers, are those of Vectors.v. *)
 From Coq Require Import Reals ZArith.
 From Toolcomp Require Import Vectors.

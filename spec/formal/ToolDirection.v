@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** The tool direction from the positions of two rotary axes: the front end of every section with a tool vector. *)
 From Coq Require Import Reals Lra Psatz.
 From Toolcomp Require Import Vectors.

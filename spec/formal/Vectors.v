@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Vectors, lengths, angles and rigid motions: the geometry every section shares. *)
 From Coq Require Import Reals Lra Psatz.
 Open Scope R_scope.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The controlled axes of a setup and values keyed by them.
 #pragma once
 

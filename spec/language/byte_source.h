@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where input bytes come from: text, streams, files by name, standard input.
 #pragma once
 

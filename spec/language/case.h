@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The one interchange format (corpus/schema/case.schema.json): golden vectors, findings, controller requests.
 #pragma once
 

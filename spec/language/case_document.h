@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The tree of a case to a Case. For readers of files that hold cases among other things.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cases as JSON (corpus/schema/case.schema.json), read and written in a stable form, and the answers of controllers.
 #pragma once
 

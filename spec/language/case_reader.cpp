@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "spec/language/case_document.h"
 #include "spec/language/case_format.h"
 #include "spec/language/event_document.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the files lie that come with the command: golden corpus, adapters, seeds.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A decimal number as it was written: exact, no arithmetic.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The order of decimals by value: 1.50 and 1.5 are alike, and so are -0 and 0.
 #pragma once
 

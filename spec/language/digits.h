@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decimal digits of a text, eight bytes at once. Internal to the readers of programs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A JSON or TOML text as a tree with exact number texts and positions. For the readers of this folder and of manifests.
 #pragma once
 

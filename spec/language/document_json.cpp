@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A JSON parser that keeps what the readers need and DOM libraries drop: the text of every number (-0, 1.50), the
 // position of every value, names given twice, and a bound on nesting.
 #include <algorithm>

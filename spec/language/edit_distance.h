@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far two texts are apart, for messages that name the nearest known one.
 #pragma once
 

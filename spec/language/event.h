@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a run yields (docs/events.md): one type for both engines, over their own number.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "spec/language/event_csv.h"
 
 namespace toolcomp::spec {

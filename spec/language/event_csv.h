@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Events as CSV (RFC 4180, lines end with a line feed): one row an event, one column a number. Of
 // moves, nothing allocates but the text itself.
 #pragma once

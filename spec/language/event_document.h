@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The tree of an event to a TextEvent. Internal to the readers of cases and replies.
 #pragma once
 

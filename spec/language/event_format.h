@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The formats events are written in.
 #pragma once
 

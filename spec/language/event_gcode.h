@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The compensated path as a plain program: G00 G01 G02 G03 with axis words, all compensation worked in. Of
 // moves, nothing allocates but the text itself.
 #pragma once

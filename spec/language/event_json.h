@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Events as JSON lines (docs/events.md). Of moves, nothing allocates but the text itself.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The same event over another number.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The names of what events are made of, in both directions.
 #pragma once
 

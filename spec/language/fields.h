@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The fields of events by name: which of them an event has, which a controller announces.
 #pragma once
 

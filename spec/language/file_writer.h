@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files written so that no half of one is ever seen.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Input that nobody could read: reported with its position, exit status 2.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A short name stored inline, so that events can be copied without allocating.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which clause of an event names a finding about it.
 #pragma once
 

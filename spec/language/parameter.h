@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parameters a setup may have: the registry spec/parameters.toml as a table.
 #pragma once
 

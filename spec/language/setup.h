@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The setup of a control (corpus/schema/setup.schema.json): one type for TOML files and the JSON inside cases.
 #pragma once
 

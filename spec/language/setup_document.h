@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The tree of a setup to a Setup. Internal to the readers of setups and cases.
 #pragma once
 

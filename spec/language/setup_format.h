@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Setups as text: TOML files, the JSON inside cases, their schema, and an example.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "spec/language/setup_key.h"
 
 #include "spec/parameters/key_table.h"

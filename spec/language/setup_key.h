@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a setup says by key, to choose what else the rules leave open: the registry spec/parameters.toml as a table.
 // Everything that reads, writes or compares the keys of a setup goes through it; engines read the members of Setup.
 #pragma once

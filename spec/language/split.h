@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lists written with a separator.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The state of an object as bytes: equal bytes, equal state.
 //
 // A class whose state counts has `void state(StateWriter& out) const`. It binds all of its members

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Text in one long buffer, for a program of many events.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Turns the registry of keys and parameters into C++: `toolcomp_parameters REGISTRY CLAUSE_FOLDER OUTPUT_FOLDER` writes
 // keys.h, key_table.h and table.h.
 #include <toml++/toml.h>

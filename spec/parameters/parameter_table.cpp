@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // [[parameter]] of the registry as C++.
 #include <fmt/format.h>
 

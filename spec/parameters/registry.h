@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The registry as the generator reads it: tables of TOML with the positions of their faults, and the clauses they name.
 #pragma once
 

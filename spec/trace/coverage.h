@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which outcomes of which clauses a set of runs exercised.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules that clause files must keep beyond what the generator needs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What `toolcomp spec` prints: every function returns the whole text, ending with a line feed.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where each clause is found: in the model that obeys it, the tests, the theorems, the golden vectors.
 #pragma once
 

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
 """The parts of LinuxCNC's adapter that need no LinuxCNC: translation, machines, recordings. Values by hand."""
 import sys
 import tempfile

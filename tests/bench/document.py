@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Writes the tables of docs/performance.md: every row of the benchmarks in one run, over its floor row, beside what it was
 before (tests/bench/before.json); the exact model's rates; with --peers text to path against LinuxCNC's rs274, with
 --growth time and memory against length, look-ahead, digits, offsets and chains, and their plots beside the document.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What exact numbers cost: single operations, a leading-edge vector as a whole, and proofs of zero.
 #include <benchmark/benchmark.h>
 

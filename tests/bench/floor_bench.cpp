@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What no compensation can undercut on the machine at hand, from plain arrays in the cache: the yardstick of the other
 // rows, and of figures from another machine.
 #include <benchmark/benchmark.h>

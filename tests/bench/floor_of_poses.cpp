@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The floors of tool center point control: from a tool direction to the pair of rotary positions nearest to the one
 // before, and from rotary positions to the control point; by hand, for one machine each, in doubles alone.
 #include <benchmark/benchmark.h>

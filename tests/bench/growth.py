@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """How time and memory of a block grow: with the length of the program, with blocks that look-ahead holds, digits, numbers
 of offsets, incremental chains. Whole processes, text to events, of the fast engine and of the exact model; processor time
 in user mode, so that a busy machine changes little. Prints Markdown tables; --plots FOLDER draws each as an SVG."""

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Benchmarks held against those of another version, as ratios: each row over the floor row of its own run, so that two
 machines, or one that is busy, compare. Rows of a release are kept by --save FILE; --against FILE runs them again and
 ends with exit status 1 where one is worse by more than --worse percent, or is gone.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How long single blocks take, beside the rate of a row: p50, p99 and the slowest block, from a pass of its own.
 #pragma once
 

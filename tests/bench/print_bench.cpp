@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers to text: ours beside std::to_chars, the same numbers. fast/basis/print.cpp stays while its rows are ahead.
 #include <benchmark/benchmark.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs from text in memory to blocks: bytes per second of the readers, one thread.
 #include <benchmark/benchmark.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rows of the benchmarks: one program under the fast engine and under the exact model, and from text to path.
 #pragma once
 

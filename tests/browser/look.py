@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Looks at a page as Chromium shows it: opens FILE without a screen, presses keys, prints, and writes what it saw as JSON.
 
 It speaks the DevTools protocol over a pipe; nothing but Python and Chromium is needed.

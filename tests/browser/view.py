@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Looks at a page of `toolcomp view` as Chromium shows it, and writes what it saw as JSON.
 
   view.py FILE [--without-webgl] [--pictures FOLDER]   keys, search, sizes, schemes, a burst of keys, print

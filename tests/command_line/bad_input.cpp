@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What nobody could read ends with exit status 2 and one clear line; what a control would read ends in its alarm.
 #include <gtest/gtest.h>
 

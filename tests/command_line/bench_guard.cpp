@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // tests/bench/guard.py on a stand-in for the benchmarks, whose times the tests choose.
 #include <gtest/gtest.h>
 

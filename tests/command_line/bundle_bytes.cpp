@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A bundle with bytes that somebody, or a disk, has changed: refused, never a crash, never accepted as another.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Evidence bundles taken apart and put together again, as somebody would who wants another result in them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `toolcomp certify`, `fuzz`, `replay`, `explain`, `spec` and `corpus` as a user runs them.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `toolcomp certify --controller NAME` with adapters that are shell scripts: no controller is needed.
 #include <gtest/gtest.h>
 

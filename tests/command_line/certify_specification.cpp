@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The formal specification as a controller: `--controller spec`.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Completion: what the command answers, and what bash, zsh and fish make of it on a terminal.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `toolcomp corpus mine` and `hard` as a user runs them.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The README's generated table is what the command prints.
 #include <gtest/gtest.h>
 

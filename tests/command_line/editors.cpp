@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The files for editors find the place of what the command says: each line as it is printed, against the expression
 // of VS Code and the errorformat of Vim.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What was found is there, whatever ended the run: a signal, a kill, a limit.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `toolcomp fuzz --campaign` with the built-in driver: it resumes, survives kills, tells bugs apart, merges.
 #include <gtest/gtest.h>
 

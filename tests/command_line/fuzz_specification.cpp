@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The formal specification as the third voice of a campaign.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The same inputs through every verb that takes a program: empty, of the other dialect, with carriage returns, from
 // standard input, a folder, missing. On both controls.
 #include <gtest/gtest.h>

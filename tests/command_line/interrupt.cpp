@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An interrupted certify leaves no controller behind.
 #include <gtest/gtest.h>
 

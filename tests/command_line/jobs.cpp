@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // --jobs: several processors say the bytes that one says, whatever ends the run.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `toolcomp kit` as a user runs it: a kit made, its programs run, recordings of a perfect machine and of others judged.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // program: linuxcnc
 // alone with: linuxcnc
 // The adapters of LinuxCNC with LinuxCNC itself, where its package is installed: a handful of programs.

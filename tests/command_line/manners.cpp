@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the command says beside its data: without arguments, where a word is misspelt, quiet, verbose, in colors, on a
 // terminal.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Manual pages: without a warning of mandoc or groff, whole, and every command shown runs.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The generator of keys and parameters refuses a registry with a fault, naming its place (counted by hand).
 #include <gtest/gtest.h>
 

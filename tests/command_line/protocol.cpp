@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The protocol as docs/protocol.md tells it, and the controllers of adapters/examples.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `toolcomp replay` as a user runs it, on cases of both controls and on what is no finding.
 #include <gtest/gtest.h>
 

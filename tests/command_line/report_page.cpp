@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pages as a browser shows them: Chromium without a screen (tests/browser/look.py) presses keys, turns, prints.
 #include <gtest/gtest.h>
 

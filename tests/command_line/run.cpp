@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `toolcomp run`: the manual's programs through both engines, as a user runs them.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Schemas of setups and cases against what the command itself accepts and refuses.
 
 usage: schemas.py TOOLCOMP SOURCE_TREE

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Starts `TOOLCOMP view PROGRAM --serve` and behaves toward it as browsers, other sites and bad clients do; JSON."""
 
 import http.client

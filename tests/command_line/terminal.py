@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Runs a command with standard error (or everything) on a terminal, types what is asked, and prints what was shown.
 
 usage: terminal.py [--columns N] [--type TEXT --until WORD]... -- COMMAND [ARGUMENT...]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `toolcomp certify --trace` as a user runs it, on both controls: positions by hand.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

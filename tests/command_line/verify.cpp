@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `toolcomp certify --evidence` and `toolcomp verify`: what is accepted, and what is not.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // toolcomp view: the page as a file, in a browser (tests/browser/view.py) and served (served_page.py). Figures are
 // those of the worked examples: the manual's three holes, and block 13 of the Heidenhain manual
 // (examples/heidenhain/README.md).

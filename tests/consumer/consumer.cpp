@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The manual's replacement example through both installed engines: H1 = 20, H2 = 30 give Z120 and Z130.
 #include <iostream>
 #include <string>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The code blocks of a Markdown page, with what a comment above a block says of it.
 
 <!-- file: NAME -->        the block is this file, for the commands of the page

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """The checks of the documentation find what they are there to find: planted faults, by hand, each with what is sound beside it."""
 
 import pathlib

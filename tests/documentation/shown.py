@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Runs what the documentation shows: every command and program of every page, in a folder of its own for each page.
 
 shown.py --source FOLDER --toolcomp FILE [--jobs N] [PAGE…]: exit status 0 if all of it runs as shown. blocks.py says

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """The built documentation as a reader has it.
 
 whole.py FOLDER [--again FOLDER] [--browser [--pictures FOLDER]]: every link and anchor leads somewhere, nothing is loaded

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """What each part of steering (fuzz/campaign/steering.h) gives a search: the same targets, seeds and time with all of it,
 without one part of it, and with code coverage alone. Every search begins with nothing. Prints a table in Markdown: what
 was reached, each kind of thing counted whether it was looked for or not."""

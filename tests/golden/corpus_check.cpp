@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The golden corpus as it stands: both engines give every vector, every outcome of every clause is exercised, and
 // nothing in it breaks its rules. Then the tools themselves, on small corpora spoilt by hand.
 #include "corpus/check.h"

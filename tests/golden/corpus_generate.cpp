@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Generation: versions, seeds, and that what cannot be right is refused. That it gives the corpus of the tree, byte for
 // byte: command_line/certify.cpp.
 #include "corpus/generate.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // program: coq
 // begins first
 // The formal specification proves golden vectors: lemmas are generated and given to Coq (corpus/proofs/check).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nettle tests its own digest: here that we call it rightly. Expected: an example of FIPS 180-4 (NIST, "Secure Hash
 // Standard — example values").
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shards of generation: what they give together is what one machine gives, and what is missing or foreign is named.
 #include "corpus/shard.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The examples that have their figures beside them (corpus/examples), each in the form of its section.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The formal specification, run, against the exact model: the same events, every number to forty decimals, held as the
 // third voice of a campaign holds them (certify/exactly.h). The two share numbers and readers, no rule. Golden vectors
 // and generated cases.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The hard cases: all of them again through both engines, spoilt statements, and the search itself, briefly.
 #include <gtest/gtest.h>
 #include <unistd.h>

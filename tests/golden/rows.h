@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Worked examples against rows of figures: each number is compared to as many decimals as the row prints.
 #pragma once
 

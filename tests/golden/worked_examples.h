@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The worked examples of the manuals and of the rules. Each is said once: its program and setup in corpus/examples, its
 // figures, by hand, beside them (golden/figures.cpp) or in a table of the tests beside this file. The vector of the
 // corpus, both engines and the laws are held to that one place.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sweep and radii of an arc as they are between the heads a controller has; worked out by hand.
 #include "fuzz/oracle/arc_fit.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // program: faults
 // link: toolcomp_fast_faulty
 // The law of lines as arrays (fast/batch): their moves are those of the same program as text, block by block, bit for

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The comparator must see every kind of wrong answer. Events here are made by hand: no engine is involved.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Condition numbers of heads, on events made by hand: expected values are the derivatives of the formulas of the
 // clauses.
 #include "fuzz/oracle/condition.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // program: misbehaviour
 // begins first
 // Controllers that break in every way the harness must survive: each gives the right typed finding, shrunk to a program

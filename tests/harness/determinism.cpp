@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // No hidden state: the same input gives the same result alone, in a batch, and in another order.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

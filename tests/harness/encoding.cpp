@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fuzzer bytes are cases: whatever a generator makes comes back, and any bytes are some case.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The clause counters steer libFuzzer only if it reports them: from a shared library they would be lost in silence.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

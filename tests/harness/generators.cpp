@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the generators of directed cases give the judge to do.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The last move before an alarm of geometry: the block that raises it gave the head, and gives no event.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // program: pieces
 // Work in pieces gives what one thread gives: any size of the pieces, any number of threads, right and wrong guesses.
 #include "fuzz/parallel/in_pieces.h"

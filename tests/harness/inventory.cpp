@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nothing is forgotten: every section has its twin targets, every target has seeds, the seeds are cases that are
 // judged.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The third voice: every law holds for right events and breaks for wrong ones, and finds a wrong clause that both
 // engines follow. Programs are worked examples; the events broken are the model's, changed by hand.
 #include "fuzz/laws/laws.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Controllers made of the model's own answers with one lie in them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Acceptance of the harness: controllers that lie in one value of one event in one case of a hundred must be found,
 // and those that do nothing wrong must not be accused, however they decide near ties. The answers are the model's own,
 // as doubles and as decimals, so what is expected is known without computing it: a lie is a difference, its absence is

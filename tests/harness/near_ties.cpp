@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Near ties: the other outcome of a decision inside its band is permitted, outside it is a difference. The wrong
 // answers are the model's own, with the decision forced: a controller whose arithmetic errs would give just these.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The registry of keys and parameters against both engines, on generated programs: its defaults are what counts where a
 // setup gives nothing, every key and parameter has an effect, and those that are accepted without effect have none.
 #include <fmt/format.h>

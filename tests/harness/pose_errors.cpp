@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far directions may be off, on events made by hand: expected values are derivatives of closed forms.
 #include "fuzz/oracle/pose_error.h"
 

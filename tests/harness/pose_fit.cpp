@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Poses judged by what they do: controllers whose rotary positions are others than the model's, and right or wrong all
 // the same. Where the axes have to stand is worked out by hand from the clauses fanuc.tool-direction.of-pose
 // and fanuc.tool-center-point.control-point-*.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Arcs by R hardly longer than half their chord: what a controller in plain doubles gives is right, a lie of a few
 // times what doubles leave open is none. The controller here is a few lines of its own; bounds are worked out by hand.
 #include "fuzz/oracle/radius_arc.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What was found once and fixed stays fixed: corpus/regression.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The oracle's own kinematics: lines, references and directions by hand.
 #include <gtest/gtest.h>
 

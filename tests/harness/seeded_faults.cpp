@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // program: faults
 // link: toolcomp_fast_faulty
 // The harness measured: every seeded fault of the fast engine must be found by its section's directed generator, within

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // program: faults
 // link: toolcomp_fast_faulty
 // The law of short cuts: where one is closed (fast/basis/short_cut.h), the general path gives the same events, bit for

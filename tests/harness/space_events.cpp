@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Events of 3D tool compensation in the comparator: every field counts, and as far as the policy says. Events here are
 // made by hand: no engine is involved.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Steering: what a search looks for, counted by kind; and the mutation that asks the model.
 #include "fuzz/campaign/steering.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // program: faults
 // link: toolcomp_fast_faulty
 // Judging while reading: long programs, and the same verdicts as on whole cases.

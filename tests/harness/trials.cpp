@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Why a case was or was not judged, or not to its end.
 #include "fuzz/oracle/trial.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How wide what the policy grants is, over the golden corpus and generated cases: less than one value in a thousand
 // more than a micrometre, and nothing of the kind where rotary axes are judged by backward error. WIDTHS_CASES=1000 for
 // more.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Controllers that are wrong in one way, each asked cases of every section: each is found, its findings stand in three
 // groups at most, the first of which names the mistake where it is one of those that have a name, and replay sees it
 // again.

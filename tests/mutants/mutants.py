@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Random mutants of the sources: does anything notice?
 
 Makes N mutants of the fast engine, or of the oracle and the judges of certify: an operator, a condition or a constant

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // search_main RUNS: the fast engine linked with it, searched as a campaign searches: fresh directed cases of every
 // section in turns, RUNS of each. Prints "found EXECUTIONS SECTION: what" or "not found EXECUTIONS"; a crash or a hang
 // is seen by whoever runs it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The controller protocol with the fast engine, and nothing else: what mutants and other compilers are linked into.
 #include <iostream>
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Faults planted in the formal specification, one at a time: does judging it by the exact model find each?
 
 Of each fault the text is changed, extracted and compiled anew, linked into the command, and certified with the golden

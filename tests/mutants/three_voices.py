@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Faults planted in the model and in the formal specification: does fuzzing with three voices find each, and say who
 stands alone?
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // voices_main SECTION RUNS: exact model, fast engine and formal specification, as they are linked with it, on fresh
 // directed cases of the section. Prints "found EXECUTIONS CLAUSE: who stands alone" at the first on which two of them
 // disagree and one is told to stand alone; cases before it that did not tell which are counted. Else "not found

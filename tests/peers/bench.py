@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
 """Text to path: the fast engine and LinuxCNC's rs274 on the same contours, in turn, in one run.
 
 bench.py --toolcomp build/release/toolcomp [--blocks 1000000] [--rounds 3]

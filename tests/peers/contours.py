@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
 """Random contours through toolcomp and through LinuxCNC's rs274: inner corners must agree to 1e-9, and every other
 difference must be one that is known.
 

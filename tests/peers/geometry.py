@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Lines, arcs and corners of a contour in doubles. Coordinates of segments are whole millionths."""
 import math
 

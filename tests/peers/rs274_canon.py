@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
 """LinuxCNC's interpreter as a process: one program a line in, its moves a line out, in full double precision.
 
 Standard input:  {"id": 1, "program": "G20 ...\\n..."}

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What FANUC's compensation C and LinuxCNC's compensation make of a contour, each by its own published rules, in doubles.
 
 The contour starts with a line that the lead-in meets straight on; start-up and cancel are of type A.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The matcher against a second computation: the whole free-space diagram, cell by cell, written from the definition of
 // the Fréchet distance (H. Alt, M. Godau: Computing the Fréchet distance between two polygonal curves, 1995). And
 // recordings made from a path, honest ones and spoiled ones, whose findings are known.

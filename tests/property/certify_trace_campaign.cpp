@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A campaign of recordings made from the geometry of random programs of lines and arcs, and of lines under tool center
 // point control: honest ones with noise, lag, dwell and another period, none of which may be accused, and ones with a
 // fault, which must be found at its block. The programs run through the model; where their axes go is computed here, by

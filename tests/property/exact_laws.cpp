@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laws of arithmetic on random values with sines and roots, decided exactly.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

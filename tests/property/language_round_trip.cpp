@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a writer writes, the reader reads back equal; what is no input at all is refused, and nothing else happens.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the property tests share: generated cases through RapidCheck's choices, exact runs, and changes to cases whose
 // effect on the result is known.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lines through fast::Batch from C++: seconds of each run, a line each, for tests/python/bench_batch.py.
 // batch_million WORDS FILE HEAD SETUP RUNS CHUNKS: FILE has the columns of the words, "XYZ", doubles as they lie in
 // memory; lines are given in so many parts, and the memory of the moves of one is used again for the next.

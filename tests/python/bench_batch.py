@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """A million blocks as arrays: from Python and from C++, turn about in one run. Each turn is the best of some runs in a
 process that has done one before, and ends with the moves at hand. "new" begins with a new batch; "chunks" gives one
 batch a tenth of the lines at a time and drops the moves before it goes on (C++: uses their memory again).

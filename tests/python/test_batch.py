@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Lines as arrays: the values by hand, the memory, and errors."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Controllers in Python, and as commands: what is found, and what their exceptions do."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """diff, explain, clauses and the corpus. Expected values by hand."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The examples. tests/documentation runs what docs/python.md shows."""
 
 from __future__ import annotations

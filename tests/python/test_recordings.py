@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Recordings from arrays and files. Expected values by hand."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Runs: events, their types and their exact numbers. Expected values by hand."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Everything type-checks with mypy --strict, and the stub says what the extension has."""
 
 from __future__ import annotations

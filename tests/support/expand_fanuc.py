@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Writes a FANUC program without its calls: what a control runs, block after block.
 
 usage: expand_fanuc.py MAIN.nc FLAT.nc MAP

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rules of the house that a compiler does not enforce: who may include whom, and where doubles and tolerances live.
 #include <gtest/gtest.h>
 
@@ -272,6 +273,25 @@ TEST(Architecture, SpecificationOfLanguageDoesNotKnowMeaning) {
 }
 
 // Nothing in the model passes through double. The one way out is model/exact's enclosure rounded outwards.
+// Examples and what people feed to toolcomp have none: .reuse/dep5 speaks for them.
+TEST(Architecture, EveryFileOfCodeNamesItsLicense) {
+  const std::set<std::string> code{".c", ".cc",  ".cmake", ".cpp", ".css", ".gappa",
+                                   ".h", ".inc", ".js",    ".py",  ".sh",  ".v"};
+  const std::string wanted = "SPDX-License-Identifier: Apache-2.0";
+  std::size_t seen = 0;
+  for (const char* room : {"adapters", "c", "certify", "cli", "cmake", "corpus", "docs", "engines", "fast", "formal",
+                           "fuzz", "model", "oss-fuzz", "packaging", "python", "spec", "tests"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(kSource / room)) {
+      const fs::path& file = entry.path();
+      const bool scripted = file.filename() == "CMakeLists.txt" || code.contains(file.extension());
+      if (!entry.is_regular_file() || !scripted || file.string().find("/corpus/seeds/") != std::string::npos) continue;
+      ++seen;
+      EXPECT_LT(read(file).find(wanted), 100U) << file;
+    }
+  }
+  EXPECT_GT(seen, 1500U);
+}
+
 TEST(Architecture, ModelHasNoDoubles) {
   const std::regex floating(R"(\b(double|float)\b)");
   // Bounds, rounded outwards.

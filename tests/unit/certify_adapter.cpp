@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Manifests of adapters: what is read, and what is refused, with its place.
 #include "certify/adapter.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The programs for machines that really move: they run to their end, stay moderate, and leave nothing on.
 #include "certify/adapter_programs.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Answers of a controller, and what is told of those that are none.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Archives that nobody would make who means well, and the parts of a bundle by themselves.
 #include <archive.h>
 #include <archive_entry.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What controllers say of themselves.
 #include "certify/capabilities.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bounds of chord errors against the model's own positions inside the moves of random five-axis programs.
 #include "certify/trace/curve_bound.h"
 

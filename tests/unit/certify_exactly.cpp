@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exact events against exact events: what counts as a difference, and how it is named.
 #include "certify/exactly.h"
 

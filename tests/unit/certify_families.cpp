@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ways a bug shows, as one finding. Expectations by hand.
 #include "certify/fuzzing/families.h"
 

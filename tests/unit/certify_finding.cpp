@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finding files: written, read back, refused.
 #include "certify/finding.h"
 

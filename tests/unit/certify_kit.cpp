@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parts of a kit: cover, marks, programs, offsets, parameters, travels, the alarm form. Expected values by hand.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Child processes that answer, end, hang, flood and refuse to read.
 #include "certify/process.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The pieces of programs, by hand and by formulas of their own; under tool center point control also against the
 // samples of the model.
 #include "certify/trace/program_path.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs taken apart and put together again, by shape.
 #include "certify/program_text.h"
 

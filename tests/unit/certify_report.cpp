@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reports: well-formed, escaped, complete.
 #include "certify/report.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The SARIF report has what SARIF 2.1.0 (OASIS, 2020) requires, and says what was found.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The controller's side of the protocol.
 #include "certify/serve.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The one mistake behind many findings: lies told on purpose, each in several programs, and what they are called.
 #include "certify/shared_cause.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The shrinker on predicates whose smallest failing program is known by construction.
 #include "certify/shrink.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Traces of small programs, sample by sample by hand.
 #include "certify/trace/trace.h"
 

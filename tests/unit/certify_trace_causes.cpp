@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One mistake made all along is named: recordings of exact paths, spoiled by hand.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What pictures of a recording keep of it.
 #include "certify/trace/deviations.h"
 

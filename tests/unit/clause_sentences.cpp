@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The model reads like the manual: above a rule stands the sentence of its clause, as the clause file says it.
 //
 //   // fanuc.cutter-b.number-zero: Number 0 is a number of the value 0: vectors of length 0 are made with it, the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The search for hard cases: the numbers of a case, and the ways to zero and upwards on quantities whose answer is
 // known.
 #include <gtest/gtest.h>

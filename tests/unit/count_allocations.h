@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counts what a test program allocates: to be included once in a program.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sines and cosines of angles that are results themselves. Expected values are computed by MPFR with
 // radians at 400 bits, or follow from identities.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Why enclosures are a small type of ours and not Boost.Multiprecision's interval number: three facts, each followed by
 // what ours does. Seen with Boost 1.74 and 1.81; should one of them fail, Boost has been mended and the question is
 // open.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // program: calcium
 // link: toolcomp_calcium_shim
 // Calcium as a second opinion: wherever it decides the sign of one of 10,000 random expressions (200 under

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Correctly rounded decimals, half to even, at constructed ties and around them.
 #include <gtest/gtest.h>
 

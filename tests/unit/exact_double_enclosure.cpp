@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Enclosures in double contain what they must, against MPFR on random numbers, and are few numbers of double wide.
 #include "model/exact/double_enclosure.h"
 

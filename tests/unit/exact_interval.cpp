@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Enclosures contain what they must: against every pair of points of small intervals, in exact rational arithmetic.
 #include "model/exact/interval.h"
 

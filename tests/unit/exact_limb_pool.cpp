@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The memory of exact numbers, through the functions that GMP and MPFR call.
 #include <gmp.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is nearly zero and must not be called zero; expressions made to break the arithmetic; and honest surrender.
 #include <gtest/gtest.h>
 

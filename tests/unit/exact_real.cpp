@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Real as a number: folding to rationals, errors, comparisons, copies, the pool.
 #include "model/exact/alike.h"
 #include "model/exact/real.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A second arithmetic, MPFI with its own sines and cosines in radians at 1536 bits, evaluates 10,000 random expressions
 // step by step; its enclosures and signs must agree with those of exact::Real.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rationals of one word, and about the limit of it, are computed as GMP does.
 #include "model/exact/short_rational.h"
 

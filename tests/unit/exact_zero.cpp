@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Identities that must be proven zero, most of them textbook: the source of the identity stands with each.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Polar angles of the fast engine against the C library's, and the exact ones.
 #include <gtest/gtest.h>
 

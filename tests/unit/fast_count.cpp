@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exact positions against GMP rationals, and their nearest doubles against MPFR.
 #include "fast/arithmetic/count.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool directions of the fast engine against the closed forms of each machine, by hand,
 // evaluated with MPFR, and their stated errors.
 #include "fast/kinematics/kinematics.h"

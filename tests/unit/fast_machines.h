@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The machines of the worked examples and a block of tool center point control on them, for tests of the fast
 // engine. Pairs are (1st, 2nd).
 #pragma once

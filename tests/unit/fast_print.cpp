@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers of the fast engine as text: shortest, plain, and read back to the same double.
 #include "fast/basis/print.h"
 #include "tests/sanitized.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sines and cosines of the fast engine against MPFR with 300 bits.
 #include "fast/arithmetic/extended_sine.h"
 #include "fast/arithmetic/trigonometry.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Angles of unit vectors, against the arc tangents of the C library in long double.
 #include "fast/kinematics/unit_angle.h"
 #include "tests/sanitized.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The pure parts of a fuzz campaign: shapes, turns, seeds, sums, floors, what outlives a process.
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files: read whole or in pieces; what cannot be read is an InputError that says why.
 #include "spec/language/byte_source.h"
 

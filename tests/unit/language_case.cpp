@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cases and replies: everything survives a round trip, everything malformed is refused with its position.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exact decimals: what is read, what is refused, and that the written form is kept.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The JSON parser against RFC 8259: what is JSON is read, exactly, and what is not is refused.
 #include "spec/language/document.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Events as JSON, CSV and G-code: the fields in the order of docs/events.md, hand-written expectations.
 #include "spec/language/event_format.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The registry of parameters: what it must keep, against the clauses and by hand.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Setups: every key, every error with its position (counted by hand), and both formats alike.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exact angles: sums, comparisons and whole turns. Expected values follow from the degrees in the names of the angles,
 // or from the enclosures of the degrees where two angles are apart.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The clause files: what every clause must state, and that the model reaches every outcome a clause has.
 #include <gtest/gtest.h>
 

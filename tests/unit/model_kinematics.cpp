@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rotary positions and control points of machines with two rotary axes, beside the worked examples 1, 2, 9 and 11
 // (golden/fanuc/corpus_examples_tool_center_point.cpp). Expected values follow from the formulas by hand, or were
 // derived in 50 digits like those.

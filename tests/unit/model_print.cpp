@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exact values as text. Digits of 1/3, 2/3 and of the square root of 2 are the known ones.
 #include "model/basis/print.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The recorder: what is counted, what is listed, what can be forced.
 #include <gtest/gtest.h>
 

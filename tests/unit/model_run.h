@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs a program in the exact engine and gives its events as short lines, so that a test reads like the
 // example it is typed in from.
 #pragma once

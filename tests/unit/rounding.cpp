@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The bounds of spec/formal/rounding: what they quote is the engine as it is, what is refuted of them was measured, and
 // the policy names them.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The check of the bounds of rounding errors can fail: one spoilt copy for each thing it looks for.
 #include <gtest/gtest.h>
 #include <unistd.h>

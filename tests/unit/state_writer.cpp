@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // States as bytes: what is the same, and what is not although its value is.
 #include "spec/language/state_writer.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The linter on our own clause files, and on files with one fault each: the expected line, column and words are those
 // of the text below, by hand.
 #include "spec/trace/lint.h"

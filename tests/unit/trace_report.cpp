@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What `toolcomp spec` prints. Expected texts are written by hand from the clause file of the leading edge.
 #include "spec/trace/report.h"
 

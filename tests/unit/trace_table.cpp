@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The trace table: rules that the source tree must keep, and a small tree whose mentions are counted by hand.
 #include "spec/trace/trace.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers of a program's page (certify/view/number_words.h): decimals and fractions by hand, doubles by std::nextafter.
 #include <gtest/gtest.h>
 

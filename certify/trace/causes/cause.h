@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What one mistake, if it was made all along, explains everything that was found in a recording.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether a recording is within the tolerance of a path, and nothing else.
 #pragma once
 

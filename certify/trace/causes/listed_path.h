@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A path whose pieces are all there.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cases with one thing otherwise than stated: what whoever sets up a control gets wrong.
 #pragma once
 

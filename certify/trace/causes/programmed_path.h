@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The path of a control that takes positions under tool center point control for positions of its axes.
 #pragma once
 

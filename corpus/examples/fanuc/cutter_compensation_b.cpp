@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cutter compensation B: the examples of chapter 14, 14.4.
 #include "corpus/examples.h"
 

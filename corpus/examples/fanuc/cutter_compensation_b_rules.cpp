@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cutter compensation B: one program for each rule that generated programs seldom meet.
 #include "corpus/examples.h"
 

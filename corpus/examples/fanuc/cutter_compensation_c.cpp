@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cutter compensation C: the manual's program of 14.5, start-up (14.6.2) and cancel (14.6.4).
 #include "corpus/examples.h"
 

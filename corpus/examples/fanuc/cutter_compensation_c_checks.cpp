@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cutter compensation C: the interference check (14.6.5, 14.6.6), machine positions (14.6.8) and G39 (14.6.9).
 #include "corpus/examples.h"
 

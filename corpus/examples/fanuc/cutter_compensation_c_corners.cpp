@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cutter compensation C, corners in offset mode: the vector table and the examples of 14.6.3, and the other planes.
 #include "corpus/examples.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cutter compensation C: one program for each rule that generated programs seldom meet, or that leaves the run
 // undecided.
 #include "corpus/examples.h"

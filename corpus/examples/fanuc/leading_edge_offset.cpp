@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Leading edge offset: the worked examples LE1 to LE10, and runs of blocks near 0, 90 and 180 degrees.
 #include "corpus/examples.h"
 

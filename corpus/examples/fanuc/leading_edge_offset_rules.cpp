@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Leading edge offset: one program for each rule that generated programs seldom meet, alarms above all.
 #include "corpus/examples.h"
 

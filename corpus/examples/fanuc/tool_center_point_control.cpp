@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool center point control: examples 1, 2, 9 and 11, worked out by hand, and the conventional part of 3. Of a
 // machine are named the rotary axis on the first place of 19681 and on the second.
 #include "corpus/examples/fanuc/machines.h"

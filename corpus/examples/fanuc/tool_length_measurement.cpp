@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Automatic tool length measurement: the examples of chapter 14, 14.2.
 #include "corpus/examples.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Automatic tool length measurement: one program for each rule that generated programs seldom meet, or that leaves the
 // run undecided.
 #include "corpus/examples.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool length offset: the examples of chapter 14, 14.1.1, 14.1.2 and 14.8.
 #include "corpus/examples.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool length offset: one program for each rule that generated programs seldom meet.
 #include "corpus/examples.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool offset G45 to G48: the table and the examples of chapter 14, 14.3.
 #include "corpus/examples.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool offset G45 to G48: one program for each rule that generated programs seldom meet.
 #include "corpus/examples.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool posture control: examples 2 (what it does there), 3 to 5, 7 to 9 and 11, worked out by hand. The
 // pyramid of 3 and 8 has the edges from (20,-20,0) and (20,20,0) to (0,0,40); its face between them is 2x + z = 40.
 #include "corpus/examples/fanuc/machines.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool posture control: a program for each rule that chance seldom meets, worked out by hand.
 #include "corpus/examples/fanuc/machines.h"
 

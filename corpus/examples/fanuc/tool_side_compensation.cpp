@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool side compensation: the worked examples TS1 to TS11 and the manual's interference figure, with the tool axis by
 // rotary words (G41.2, G42.2) and, where I J K can say it, under G43.5 (G41.6, G42.6). The block before each corner
 // starts straight on, so that its own start is the perpendicular.

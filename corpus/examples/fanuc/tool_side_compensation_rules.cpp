@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool side compensation: one program for each rule that generated programs seldom meet. VT is Z and the value 10
 // unless the comment says otherwise.
 #include "corpus/examples.h"

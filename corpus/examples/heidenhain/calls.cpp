@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs in programs, and what is not supported: one program for each rule. The tool is along Z and blocks L are not
 // compensated, so that the tip stands where the blocks add up to.
 #include "corpus/examples/heidenhain/tools.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Face milling: the manual's situations and its syntax example, examples worked out by hand, and verdicts on tools with
 // oversize (heidenhain.tool.oversize-radius, -corner, heidenhain.tool.corner-beyond-radius).
 #include "corpus/examples/heidenhain/tools.h"

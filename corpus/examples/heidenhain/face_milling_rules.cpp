@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Face milling: one program for each rule of the effective tool, of normals and tool vectors, and of what they warn of.
 #include "corpus/examples/heidenhain/tools.h"
 

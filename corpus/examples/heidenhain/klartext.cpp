@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a Klartext program is, seen in face milling: one program for each rule of reading, tool call, deltas, TCPM and
 // positions, and for each fault that LN can have.
 #include "corpus/examples/heidenhain/tools.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Peripheral milling: blocks 11 to 13 of the manual's example, worked out by hand
 // (heidenhain.peripheral.example-reworked).
 #include "corpus/examples/heidenhain/tools.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Peripheral milling: one program for each rule of start, mitre, end and direction. Unless said otherwise the tool is
 // along Z, so that RL is the left of the travel: -0.1 of it at the right.
 #include "corpus/examples/heidenhain/tools.h"

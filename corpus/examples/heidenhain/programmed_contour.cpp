@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The programmed contour: examples worked out by hand, and the same contact with and without it.
 #include "corpus/examples/heidenhain/tools.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The programmed contour: one program for each rule of the switch and of what the coordinates are.
 #include "corpus/examples/heidenhain/tools.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Setups and words of Klartext examples.
 #pragma once
 

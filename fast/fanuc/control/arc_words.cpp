@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // G02, G03: which words make an arc, in the selected plane.
 #include "fast/fanuc/control/control.h"
 #include "fast/fanuc/program/arc.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The axes of the control, as all parts of the interpreter see them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the axes are: programmed positions, exact, what shifts them, and what the axes are sent to.
 #pragma once
 

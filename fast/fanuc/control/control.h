@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the control knows while it runs a program, in parts, and the run: moves, settings and alarms sent.
 #pragma once
 

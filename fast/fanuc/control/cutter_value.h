@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The number of the cutter and its value: D, or with 5001#2 = 1 also H. For G40 G41 G42, G41.2 and the like, G45 to
 // G48.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The positions of an event in X, Y and Z with a compensation vector, where those are the first three axes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Codes and values that stay in force: groups 01, 02, 03, G43.5, F.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Words into exact counts. Most are of at most six places and in the units of the setup, and are whole in 10^-6.
 #pragma once
 

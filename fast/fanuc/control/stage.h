@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A stage of compensation: a section whose vectors need other blocks, or that inserts moves. The interpreter knows it
 // by this interface only.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool center point control G43.4 G43.5: the state of the mode, what a block does with the rotary axes.
 #include <bit>
 #include <cmath>

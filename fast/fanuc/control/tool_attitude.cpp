@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The tool direction in force: from the rotary axes, or from I J K under G43.5 without kinematics.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How the tool stands: by the rotary axes, by I J K, and under tool center point control.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The directions of the tool: the one in force, and those that moves held by a stage refer to.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Usual lines of a stage in space, without a detour: from the words of a block to where it ends, how the tool stands
 // there, and the event of its move. For the short cuts of leading edge offset and of tool side compensation.
 #pragma once

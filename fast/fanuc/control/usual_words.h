@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The words of a usual line, without a detour: positions, F and the code of group 01 in force again, all of few digits
 // and places. For the short cuts that take blocks as they are read.
 #pragma once

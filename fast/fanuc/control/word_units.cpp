@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fast/fanuc/control/word_units.h"
 
 #include "fast/basis/fault.h"

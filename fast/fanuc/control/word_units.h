@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a number of the program counts in: G20 G21 and the least increments of 3401#0 (clauses fanuc.program.units,
 // least-increments).
 #pragma once

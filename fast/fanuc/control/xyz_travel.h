@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The travel of a block in X, Y and Z, exactly: where it started, and how that compares with where it ends.
 #pragma once
 

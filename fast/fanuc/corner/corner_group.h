@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The vectors at a corner, in the order the tool goes through them (chapter 14.6.2 to 14.6.4): in cutter compensation C
 // they lie in the selected plane, in tool side compensation in the plane of the tool.
 #pragma once

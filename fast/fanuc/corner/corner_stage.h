@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The look-ahead machine of cutter compensation C and tool side compensation.
 //
 //  * A path is a block that moves in the compensation plane. It is held until the vectors at its end are known; at its

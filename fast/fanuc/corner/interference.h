@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The interference check of a path between the vectors at its two ends, and the removal of vectors (chapter 14.6.5).
 #pragma once
 

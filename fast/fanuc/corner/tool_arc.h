@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Arcs of a path: as the block gives them, and as the tool runs them between the vectors at both ends.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fast/fanuc/cutter_compensation/cutter_stage.h"
 
 #include <type_traits>

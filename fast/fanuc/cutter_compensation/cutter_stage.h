@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cutter compensation B or C as a stage: what its words say, and what it is told about each block.
 #pragma once
 

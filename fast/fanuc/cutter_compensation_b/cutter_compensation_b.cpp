@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fast/fanuc/cutter_compensation_b/cutter_compensation_b.h"
 
 #include <cmath>

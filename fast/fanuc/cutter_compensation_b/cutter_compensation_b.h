@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cutter compensation B, G39 to G42 (chapter 14.4): every block ends with a vector of its own, at once.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The usual arc of cutter compensation B: by its centre, and nothing of it cancels, so that doubles are enough.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cutter compensation C, G40 G41 G42 G39 (chapter 14.5, 14.6): a stage that holds blocks until the vectors at both
 // their ends are known.
 #pragma once

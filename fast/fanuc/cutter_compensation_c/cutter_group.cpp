@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fast/fanuc/cutter_compensation_c/cutter_group.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The vectors at a corner of cutter compensation C.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The interference check of cutter compensation C, and what is known of the tool's own arc.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What cutter compensation C lends to its short cuts, and takes back.
 #include <array>
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lines and arcs of few digits, and the corners of cutter compensation C between them: what the general path makes, bit
 // for bit, in 64 bits. Where such a path or corner is unusual, or doubles cannot tell, the answer is false.
 #pragma once

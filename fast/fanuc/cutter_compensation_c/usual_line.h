@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The usual lines of cutter compensation C, one behind another: straight from the words of the block to the event,
 // without the look-ahead machine. What it does is what CutterCompensationC::block() would do, bit for bit.
 #pragma once

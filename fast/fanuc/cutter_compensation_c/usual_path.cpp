@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fast/fanuc/cutter_compensation_c/usual_path.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The usual paths of cutter compensation C where arcs are among them, one behind another: straight from the words of
 // the block to the event, without the look-ahead machine. What it does is what CutterCompensationC::block() would do,
 // bit for bit. Lines alone go a shorter way still (usual_line.h).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the short cuts of cutter compensation C stand in the plane, and where they send an event.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The alarms of commands, in the order of the specification (clause fanuc.program.alarm-order).
 #include <algorithm>
 #include <bit>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The alarms of commands about tool center point control G43.4 G43.5.
 #include "fast/fanuc/interpreter/interpreter.h"
 

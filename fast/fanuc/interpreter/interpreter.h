@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Interprets blocks: the way of a block through the parts of the control and the stages of compensation.
 #pragma once
 

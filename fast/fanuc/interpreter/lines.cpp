@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lines as arrays where no stage is on: the axes go to their words, with their offsets.
 #include <cstdlib>
 

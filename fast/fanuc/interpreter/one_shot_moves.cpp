@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Moves of codes that count in their block only: tool offset G45 to G48, measurement G37.
 #include <bit>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fast/fanuc/leading_edge_offset/compensation_vector.h"
 
 #include <Eigen/Geometry>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The compensation vector of leading edge offset: which way it points (fanuc.leading-edge.vector, sign) and how it is
 // classified (near-0, near-90, near-180).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fast/fanuc/leading_edge_offset/leading_edge_offset.h"
 
 #include "fast/basis/fault.h"

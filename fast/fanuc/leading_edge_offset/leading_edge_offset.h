@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Leading edge offset G41.3 (fanuc.leading-edge.*): a stage that holds moves until their vector is known.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fast/fanuc/leading_edge_offset/leading_edge_stage.h"
 
 #include "fast/fanuc/control/xyz_travel.h"

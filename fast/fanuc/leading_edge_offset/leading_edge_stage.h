@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Leading edge offset as a stage: what its words say, and what its moves are.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The usual line under leading edge offset: straight from the words of the block to the stage.
 #include <cmath>
 

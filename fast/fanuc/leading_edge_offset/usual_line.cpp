@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fast/fanuc/leading_edge_offset/usual_line.h"
 
 #include "fast/basis/fault.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The usual line of leading edge offset: what block() does with it, without the detours.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Arcs G02 G03 in the selected plane: centre, sweep, radii.
 #pragma once
 

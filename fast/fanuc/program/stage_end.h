@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a stage that holds blocks ends a run.
 #pragma once
 

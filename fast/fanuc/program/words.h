@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The words of one block by what they command: one G code per modal group, one value per letter.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The fractions 1/n, 2/n ... (n - 1)/n in lowest terms, without a division for each.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The path of the tip in one block (fanuc.tool-center-point.tip-path): a line, an arc or a helix.
 #pragma once
 

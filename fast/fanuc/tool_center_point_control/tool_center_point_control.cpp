@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fast/fanuc/tool_center_point_control/tool_center_point_control.h"
 
 #include <bit>

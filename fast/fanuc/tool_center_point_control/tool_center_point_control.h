@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool center point control G43.4 G43.5: the last stage, which makes axis positions of tips and postures.
 #pragma once
 

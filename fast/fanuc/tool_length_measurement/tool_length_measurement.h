@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Automatic tool length measurement G37 (chapter 14.2): zones, signal, what is reached.
 #pragma once
 

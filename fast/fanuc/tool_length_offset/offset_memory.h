@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool offset memory A, B, C (chapter 14.8).
 #pragma once
 

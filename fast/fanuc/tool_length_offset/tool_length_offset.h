@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool length offset G43 G44 G49 and its H rules (chapter 14.1.1), cancellation and restoration (14.1.2).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool offset G45 to G48 (chapter 14.3): travels made longer or shorter by an offset value.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The great circle from one direction to another, at an even rate.
 #pragma once
 

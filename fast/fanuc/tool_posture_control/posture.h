@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The motion of the tool in one block of tool center point control: P0
 // (fanuc.tool-center-point.conventional) and P1 (fanuc.tool-posture.*).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the great circle of a block meets: equal or opposite ends, singular postures, the edge of reach.
 #pragma once
 

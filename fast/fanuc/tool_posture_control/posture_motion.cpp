@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fast/fanuc/tool_posture_control/posture_motion.h"
 
 #include <algorithm>

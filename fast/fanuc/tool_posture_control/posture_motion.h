@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The law by which rotary axes and tool move inside a block (fanuc.tool-center-point.conventional,
 // fanuc.tool-posture.great-circle), and its samples.
 #pragma once

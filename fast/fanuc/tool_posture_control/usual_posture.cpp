@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The posture of the usual block, in doubles: away from singular postures and the limits of reach.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Usual lines of tool side compensation as arrays: from the words of the blocks to the stage.
 
 #include "fast/fanuc/program/words.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The interference check where the compensation plane changes between two blocks (clauses fanuc.tool-side).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A corner of tool side compensation and the vectors at it (clauses fanuc.tool-side).
 #pragma once
 

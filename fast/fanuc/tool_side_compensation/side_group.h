@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The vectors at a corner of tool side compensation, in the order the tool goes through them (clauses fanuc.tool-side).
 #pragma once
 

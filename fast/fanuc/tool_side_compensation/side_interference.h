@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The general interference check of tool side compensation: chapter 14's, line by line in the plane of the tool.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fast/fanuc/tool_side_compensation/side_line_arrays.h"
 
 #include <algorithm>

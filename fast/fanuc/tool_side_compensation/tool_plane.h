@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The compensation plane: at right angles to the tool (clauses fanuc.tool-side).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the interpreter hands to tool side compensation: one block, complete but for the vectors.
 #pragma once
 

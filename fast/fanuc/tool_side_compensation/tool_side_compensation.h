@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool side compensation G41.2 G42.2, under G43.5 G41.6 G42.6 (clauses fanuc.tool-side): a stage that holds blocks
 // until the vectors at both their ends are known.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fast/fanuc/tool_side_compensation/tool_side_stage.h"
 
 #include "fast/fanuc/control/xyz_travel.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The movement of a block in X, Y, Z, exactly, with its length.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fast/fanuc/tool_side_compensation/usual_line.h"
 
 #include "fast/basis/short_cut.h"

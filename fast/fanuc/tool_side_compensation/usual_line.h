@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The usual line of tool side compensation: what block() does with it, by doubles alone and without the detours.
 #pragma once
 

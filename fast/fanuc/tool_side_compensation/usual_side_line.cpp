@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The usual line under tool side compensation: straight from the words of the block to the stage.
 #include "fast/fanuc/control/usual_space_lines.h"
 #include "fast/fanuc/tool_side_compensation/tool_side_stage.h"

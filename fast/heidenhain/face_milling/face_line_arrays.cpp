@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fast/heidenhain/face_milling/face_line_arrays.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // LN blocks with a surface normal by arrays: what face_milling.h does with one, for many at once.
 #pragma once
 

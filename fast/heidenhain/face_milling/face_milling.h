@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Face milling: LN blocks with a surface normal (heidenhain.face.*).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The state machine of a Klartext program (heidenhain.program.*): blocks to motions.
 #pragma once
 

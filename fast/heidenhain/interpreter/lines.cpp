@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // LN blocks as arrays: usual ones of face milling.
 #include <limits>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Blocks that move: L and LN.
 #include <algorithm>
 #include <bit>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The direction of compensation under RL and RR: across the movement and the tool (heidenhain.peripheral.direction).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fast/heidenhain/peripheral_milling/peripheral_milling.h"
 
 #include "fast/basis/fault.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Peripheral milling under RL and RR with TCPM: a stage that holds one block until the next motion is known
 // (heidenhain.peripheral.*).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Alarms and warnings of Heidenhain 3D compensation. Names and texts are ours.
 #pragma once
 

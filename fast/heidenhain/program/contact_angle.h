@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The angle between surface normal and tool, 0 at the tip (heidenhain.tool.deviation-table).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fast/heidenhain/program/deviation_table.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // 3D-ToolComp: deviations of the corner radius by the contact angle (heidenhain.tool.deviation-*).
 #pragma once
 

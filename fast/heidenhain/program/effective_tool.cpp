@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fast/heidenhain/program/effective_tool.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The tool that compensation reckons with: the row of the table, the deltas of three sources, and what may not be.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Events in room made beforehand.
 #pragma once
 

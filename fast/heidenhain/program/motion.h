@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the state machine makes of a block that moves.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Q, QL and QR parameters: what words may take their value from.
 #pragma once
 

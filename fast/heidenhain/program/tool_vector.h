@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The direction of the tool, tip to carrier: along whole numbers, or turned by rotary words.
 #pragma once
 

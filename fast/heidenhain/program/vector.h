@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vectors in space for blocks by the million: X and Y side by side in one register.
 #pragma once
 

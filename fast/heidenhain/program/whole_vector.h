@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A vector of a program as whole numbers of one unit: exact, as far as directions and their ratios go.
 #pragma once
 

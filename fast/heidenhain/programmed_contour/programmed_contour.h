@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // FUNCTION PROG PATH: what the programmed coordinates are, and what compensation starts from (heidenhain.contour.*).
 #pragma once
 

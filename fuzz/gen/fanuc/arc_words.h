@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How an arc says where its centre is.
 #pragma once
 

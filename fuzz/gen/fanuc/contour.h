@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contours in a plane: lines and arcs that meet at corners of every kind.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // G39 to G42 programs of type B: vectors by I J and by the path, corner arcs, and what is forbidden.
 #include <fmt/format.h>
 

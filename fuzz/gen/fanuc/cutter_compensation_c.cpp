@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // G40 G41 G42 programs of type C: start-ups, corners of every kind, cancels, and what may stand between.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the generators of cutter compensation B and C have in common.
 #pragma once
 

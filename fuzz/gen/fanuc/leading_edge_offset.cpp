@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // G41.3 programs: every way the tool can lie to the movement, and what may stand between movements.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes program text block by block and keeps count of where the program stands.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Turns of the tool under tool center point control, by rotary words or by I J K, aimed at what the sections decide.
 #pragma once
 

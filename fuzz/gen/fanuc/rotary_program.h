@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs under G43.4 and G43.5, for both sections.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Machines with two rotary axes for tool center point control and tool posture control.
 #include <algorithm>
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Straight movements in space that meet at corners of every kind, as a tilted tool sees them.
 #pragma once
 

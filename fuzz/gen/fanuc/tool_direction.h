@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the tool of a setup roughly points: generators aim their movements by it. In double, and no part of a verdict.
 #pragma once
 

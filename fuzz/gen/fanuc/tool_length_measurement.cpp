@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // G37 programs: the tool meets the signal inside the permitted zone, on its ends, a unit beyond, or not at all.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // G43 G44 G49 programs of types A, B and C, with the commands that cancel and restore the vector.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // G45 to G48 programs: travel stretched and shortened by one or two offsets, zero travel of both signs, arcs.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a program turns its tool: by rotary words, or by I J K under G43.5.
 #pragma once
 

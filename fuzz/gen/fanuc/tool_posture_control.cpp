@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // P1 programs: great circles past, through, from and to singular postures.
 #include "fuzz/gen/fanuc/rotary_program.h"
 #include "fuzz/gen/sections.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // G41.2 and G42.2 programs: corners as a tilted tool sees them, turns of the tool, arcs in planes the tool stands on,
 // and what may stand between.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Choices and words of a turning tool that generators have in common.
 #pragma once
 

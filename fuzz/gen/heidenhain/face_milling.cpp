@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // LN programs with surface normals: every tool, orientation and reference, with and without TCPM.
 #include "fuzz/gen/heidenhain/klartext_program.h"
 #include "fuzz/gen/heidenhain/tool_tables.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Klartext programs of 3D tool compensation, for the generators of its sections.
 #pragma once
 

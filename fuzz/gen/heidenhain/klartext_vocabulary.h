@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Klartext words and statements at random.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes Klartext program text block by block, in the ways a control or a CAM system may write it.
 #pragma once
 

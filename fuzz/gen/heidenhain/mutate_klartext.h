@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Changes to a Klartext case (mutate.h chooses how many).
 #pragma once
 

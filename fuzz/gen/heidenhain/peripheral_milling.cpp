@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // RL and RR under TCPM: contours with corners, reversals and stops, tools turned by rotary words and by vectors; LN
 // with a normal at right angles to the tool.
 #include "fuzz/gen/heidenhain/klartext_program.h"

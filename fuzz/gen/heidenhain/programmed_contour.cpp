@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // FUNCTION PROG PATH IS CONTOUR: blocks with normals and blocks beside the path by the full radii.
 #include "fuzz/gen/heidenhain/klartext_program.h"
 #include "fuzz/gen/heidenhain/tool_tables.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Surface normals and tool vectors for LN blocks: exact decimals in every relation that decides something.
 #pragma once
 

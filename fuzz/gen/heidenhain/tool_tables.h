@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random setups of a Heidenhain control that could exist.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laws of compensation beside a path: tool side compensation, cutter compensation B and C. One geometry: V is the
 // vector from the programmed point to the tool, T the tool (or the normal of the selected plane), U the displacement of
 // a block, and T × U points to its left.

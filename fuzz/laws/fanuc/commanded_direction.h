@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laws of the direction at the end of blocks under G43.5. Exempt as those of tool center point control
 // (tool_center_point.h).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the words of a FANUC program say of a block, as far as laws ask: modal codes and numbers in force. Read anew
 // from the text; nothing here knows a rule of compensation.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The image of a program under a map of space: mirrored, turned, a tenth as large.
 #include <algorithm>
 #include <array>

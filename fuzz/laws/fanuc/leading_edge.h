@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laws of the leading edge offset (G41.3).
 #pragma once
 

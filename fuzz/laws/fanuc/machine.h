@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A five-axis machine out of its parameters: where tool and table stand at given rotary positions. Forward kinematics
 // written anew from the clauses fanuc.tool-direction.* and fanuc.tool-center-point.control-point-*.
 #pragma once

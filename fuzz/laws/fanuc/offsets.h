@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laws of chapter 14's offsets: tool length offset, tool offset G45 to G48, tool length measurement G37.
 #pragma once
 

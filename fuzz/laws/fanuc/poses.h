@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The moves and samples run under tool center point control, with where tool and table stand.
 #pragma once
 

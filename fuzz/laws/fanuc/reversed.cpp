@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A contour run from its end.
 #include <optional>
 #include <string>

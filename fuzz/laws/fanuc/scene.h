@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What every law of FANUC programs is given: the case, the events, and what is read from both once.
 #pragma once
 

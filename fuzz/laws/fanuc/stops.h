@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The places where blocks of a FANUC program end, with the vectors there.
 #pragma once
 

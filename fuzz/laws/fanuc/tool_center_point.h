@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laws of tool center point control and tool posture control (G43.4, G43.5).
 //
 // Rotary positions are the reported machine coordinates, or those of the workpiece system where a setup can say so and

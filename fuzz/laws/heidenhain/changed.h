@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Klartext programs changed in a way whose effect geometry knows. What the law says: changed_program.h.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laws of 3D tool compensation (Klartext): the effective tool touches the surface it is to cut. q is the contact point,
 // n the normal, t the tool axis; all of the event.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the blocks of a Klartext program say, as far as laws ask: tool, deltas and modes in force. Read anew from the
 // text; nothing here knows a rule of compensation.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any bytes as a FANUC program: the reader ends, the size of the pieces it gets does not matter, and a block without
 // alarm is read back from its own text.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fuzz/targets/twin.h"
 
 TOOLCOMP_TWIN_TARGET("heidenhain/peripheral-milling", toolcomp::fuzz::Mode::directed)

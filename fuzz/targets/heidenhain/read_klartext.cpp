@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any bytes as a Klartext program: the reader ends, positions lie in the text, neither the size of the pieces it gets
 // nor carriage returns matter, and a block without alarm is read back from its own text: the blocks of calls apart, the
 // order of which is then that of the text.

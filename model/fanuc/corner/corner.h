@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A corner of the programmed path: its class, and the vectors that stand at it. Vectors are seen from the corner, setup
 // units. "former" is the block that ends there, "latter" the one that starts there.
 #pragma once

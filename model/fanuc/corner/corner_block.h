@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a block says to the compensations that make vectors at corners: cutter compensation and tool side compensation.
 #pragma once
 

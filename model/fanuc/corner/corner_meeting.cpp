@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where two offset paths meet.
 #include "model/basis/event.h"
 #include "model/fanuc/corner/corner.h"

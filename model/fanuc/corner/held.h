@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A block whose vectors at its end wait for a block that follows.
 #pragma once
 

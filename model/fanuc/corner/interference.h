@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Interference check: what becomes of a block between the vectors at its start and at its end.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The look-ahead of a compensation that makes vectors at corners.
 //
 //   hold       A block that makes a vector at its end is held. Those behind it that make none wait with it, and count.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The path of one block in the compensation plane, line or arc, as its two ends see it.
 //
 // Directions stay as long as the program makes them, so that everything decided by them is rational wherever the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vectors of a plane over exact numbers; first axis to the right, second axis up.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rules of chapter 14 by which cutter compensation C and tool side compensation make the vectors at a corner of a
 // plane. Clauses: fanuc.cutter-c.*.
 #pragma once

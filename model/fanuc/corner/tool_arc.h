@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The arc that the tool runs about the programmed centre, from the head of one vector to the head of another.
 #pragma once
 

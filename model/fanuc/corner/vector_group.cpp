@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "model/fanuc/corner/vector_group.h"
 
 namespace toolcomp::model {

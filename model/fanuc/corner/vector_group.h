@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The compensation vectors at one corner, in the order the tool takes their heads.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a block says to cutter compensation B and C, and what it does in the plane.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "model/fanuc/cutter_compensation/cutter_compensation.h"
 
 #include "model/basis/alarm.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What cutter compensation B and C have in common as stages.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The words of cutter compensation, B and C alike: G40, G41, G42, G39, the offset number and I J K as a direction.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cutter compensation B: G40, G41, G42 and G39.
 #pragma once
 

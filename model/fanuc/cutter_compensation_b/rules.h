@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rules of cutter compensation B: the vector at the end of a block, and the arc on which the tool goes there. Plane
 // coordinates, setup units.
 #pragma once

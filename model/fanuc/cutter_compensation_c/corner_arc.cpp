@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // G39: an arc about the corner.
 #include <utility>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The vectors at the end of a block held.
 #include "model/fanuc/cutter_compensation_c/cutter_compensation_c.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cutter compensation C: G40, G41, G42 and G39. One stage with a look-ahead of one moving block and one other.
 //
 // A block that moves in the plane is held (corner/look_ahead.h) until the next one is known: one corner at most is

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "model/fanuc/cutter_compensation_c/held_cutter_path.h"
 
 #include "model/fanuc/corner/interference.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The path of a block held by cutter compensation C: along which way the tool runs, on which side and how far away.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // MDI intervention while cutter compensation C is on: a library call, for a program has no form for it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // G53, G28, G30, G30.1 and G29: the vector goes, and comes back by parameter 5003#2.
 #include "model/fanuc/cutter_compensation_c/cutter_compensation_c.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rules of cutter compensation C: the vectors at a corner. Clauses: fanuc.cutter-c.*.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "model/fanuc/leading_edge_offset/leading_edge_offset.h"
 
 #include <algorithm>

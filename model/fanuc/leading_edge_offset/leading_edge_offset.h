@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Leading edge offset: G41.3 and G40. One stage with a look-ahead of one moving and two other blocks.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "model/fanuc/leading_edge_offset/rules.h"
 
 #include "model/basis/alarm.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rules of the leading edge offset: the compensation vector at the end of one block. Clauses: fanuc.leading-edge.*.
 #pragma once
 

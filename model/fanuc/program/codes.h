@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The codes of one block: which G codes of which modal group, which M codes, which numbers of tool offsets.
 #pragma once
 

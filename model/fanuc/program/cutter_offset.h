@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The offset that a code and a value ask for, in every compensation that runs beside the path.
 #pragma once
 

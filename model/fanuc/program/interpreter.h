@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From words to movements: modal groups, absolute positions, planes, arcs, workpiece offsets.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How the axes go from the end of one move to that of the next, for who follows them: beyond what events say.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The offset number of the cutter, and the value of it that is in force: in every compensation that runs beside the
 // path.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool offset memory and G10.
 #pragma once
 

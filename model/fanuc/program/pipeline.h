@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The stages of compensation of one run, one behind the other.
 #pragma once
 

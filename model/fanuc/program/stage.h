@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a section must be to stand in the pipeline: a stage of compensation.
 //
 // A stage reads what every command says to it, takes the steps in order, and hands them on in order with the vectors

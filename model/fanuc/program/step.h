@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One block on its way through the stages: where it goes and with what tool.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the workpiece stands in the machine: G54–G59, G54.1, G52, G92, and the reference positions.
 #pragma once
 

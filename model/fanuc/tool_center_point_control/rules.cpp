@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "model/fanuc/tool_center_point_control/rules.h"
 
 #include <optional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rules of tool center point control that need nothing but a block: the lean angle Q of G43.5, and arcs in the
 // workpiece coordinate system. What follows from the words alone is in words.cpp, poses are in model/kinematics.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The last stage under tool center point control: axis positions of a move from its compensated tip, the turns before
 // and behind it, and the positions inside it.
 #pragma once

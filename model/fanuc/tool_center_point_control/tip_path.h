@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The path of the compensated tip in the system fixed to the table: a line, an arc or a helix.
 #pragma once
 

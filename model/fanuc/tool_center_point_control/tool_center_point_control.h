@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool center point control: G43.4 (type 1) and G43.5 (type 2) from their block to the G49 that ends them. It finds the
 // tool and the rotary axes at the end of every block, before any compensation moves the tip.
 #pragma once

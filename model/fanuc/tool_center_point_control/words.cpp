@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the words of a block mean to tool center point control, and what they must not say.
 #include "model/basis/alarm.h"
 #include "model/basis/number.h"

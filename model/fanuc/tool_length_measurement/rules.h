@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rules of automatic tool length measurement: G37. The section is nothing but them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rules of the tool length offset: which axes a block offsets, by how much, and what it gives back or takes away.
 #pragma once
 

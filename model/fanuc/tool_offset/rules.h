@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rules of the tool offset: by how much G45 to G48 lengthen a travel, which way, and what becomes of an arc.
 #pragma once
 

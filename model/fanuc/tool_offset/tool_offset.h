@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool offset: G45, G46, G47, G48, and the shift that stays behind.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The coordinates in which the great circle of a block is looked at, so that what is zero is proven to be.
 #pragma once
 

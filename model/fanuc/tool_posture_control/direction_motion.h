@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The tool without rotary axes: G43.5 on a machine that has none.
 #pragma once
 

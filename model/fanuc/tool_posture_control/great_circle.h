@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The great circle along which tool posture control turns the tool through a block, and how it passes an axis.
 // Directions are in one view of it, or in the programming frame.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rotary axes that follow the tool along a great circle.
 #pragma once
 

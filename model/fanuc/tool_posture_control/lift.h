@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rotary positions along a great circle: the continuous branch from the pair at its start.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rotary axes that run evenly from pose to pose: conventional control, and the block that passes a singular posture.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "model/fanuc/tool_posture_control/rules.h"
 
 #include "model/basis/alarm.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rules of tool posture control: what is asked of the great circle of a block, and of the posture at its end.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool posture control: what a block with P1 does to the tool and the rotary axes. Vectors are in the programming
 // frame.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "model/fanuc/tool_side_compensation/compensation_plane.h"
 
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The plane in which the tool side is compensated at one corner: at right angles to the tool there.
 //
 // What lines decide is told by products with the tool direction VT of any length: no root, no frame. Only corners with

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The vectors at the end of a block held.
 #include "model/fanuc/tool_side_compensation/tool_side_compensation.h"
 

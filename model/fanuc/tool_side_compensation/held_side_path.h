@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The path of a block held by tool side compensation, as its corner and the interference check see it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A corner of two lines in the compensation plane: its class, and the vectors that stand at it, without a frame.
 //
 // With W = VT × U for the travel U of a line: S = VT · (U1 × U2) = W1 · U2 tells the turn to the left and C = W1 · W2

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a block of the mode moves, at the ends of those held and at its own.
 #include <algorithm>
 #include <utility>

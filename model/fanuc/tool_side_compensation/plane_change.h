@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Interference check where the compensation plane changes between two blocks.
 #pragma once
 

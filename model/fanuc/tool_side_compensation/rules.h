@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rules of tool side compensation: the vectors at a corner. Clauses: fanuc.tool-side.*, and those of chapter 14
 // that they name.
 #pragma once

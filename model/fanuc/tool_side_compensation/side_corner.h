@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A corner in the compensation plane: the block that ends there and the one that starts there.
 #pragma once
 

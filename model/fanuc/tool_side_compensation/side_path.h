@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The programmed path of one block in space, and what a corner sees of it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a block says to tool side compensation.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "model/fanuc/tool_side_compensation/tool_side_compensation.h"
 
 #include <utility>

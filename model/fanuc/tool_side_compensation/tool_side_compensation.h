@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool side compensation: G41.2 G42.2, under G43.5 G41.6 G42.6, and G40. One stage with a look-ahead of two blocks.
 //
 // A block that moves in the plane at its own end is held (corner/look_ahead.h) until the next one that moves in that

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The words of tool side compensation: G41.2 G42.2, G41.6 G42.6, G40, the offset number and Q.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Surface normal and tool in one block: the rational quantities on which everything in face milling is decided.
 #pragma once
 

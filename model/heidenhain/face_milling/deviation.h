@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // 3D-ToolComp (option 92): deviations of the corner radius by the angle of the contact.
 #pragma once
 

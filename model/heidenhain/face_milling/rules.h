@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rules of face milling: how the cutter touches the wall, and where its tip then is.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "model/heidenhain/peripheral_milling/peripheral_milling.h"
 
 #include <utility>

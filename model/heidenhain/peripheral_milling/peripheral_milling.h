@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Peripheral milling without a surface normal: RL and RR under TCPM.
 #pragma once
 

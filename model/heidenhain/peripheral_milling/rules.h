@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rules of peripheral milling: the direction of compensation across movement and tool, and where a block ends.
 #pragma once
 

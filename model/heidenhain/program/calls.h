@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs in programs: the reader has followed the call; what is left is to say which clause it was.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the tool goes: what the rules of 3D compensation make of a motion.
 #pragma once
 

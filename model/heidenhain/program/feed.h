@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // F, FMAX, F AUTO, FZ, FU.
 #pragma once
 

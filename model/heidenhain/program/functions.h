@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // M functions of a block, sorted by when they act.
 #pragma once
 

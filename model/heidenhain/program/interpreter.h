@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The state of a Klartext program: what a block changes in it, and the motion it makes.
 #pragma once
 

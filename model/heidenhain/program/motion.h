@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A block that moves, with everything the state of the program says about it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The programmed position: end points of blocks, travels, and the datum shift of cycle 7.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Alarms of reading, and the clauses that state them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether the tool may be used, in the order of the clause heidenhain.tool.order-of-checks.
 #pragma once
 

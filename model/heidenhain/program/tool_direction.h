@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the tool points: the tool axis, TCPM, vectors and rotary axes.
 #pragma once
 

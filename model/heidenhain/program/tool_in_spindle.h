@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // TOOL CALL, the tool table, and the row of the compensation table.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the numbers of a Klartext program and of its tables are worth: Q parameters and units.
 #pragma once
 

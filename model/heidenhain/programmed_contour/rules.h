@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rules of FUNCTION PROG PATH: what the programmed point of a compensated block is. The section is nothing but
 // them.
 #pragma once

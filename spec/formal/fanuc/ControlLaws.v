@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Laws of tool center point control, over the real numbers: what the rotary axes turn, and the control point over the
     tip. *)
 From Coq Require Import Reals Lra Psatz Bool ZArith List.

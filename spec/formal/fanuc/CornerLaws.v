@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Laws of the corners of cutter compensation C: the vectors between two lines keep the distance of the offset from
     them. *)
 From Coq Require Import Reals Lra Psatz Bool ZArith List.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** fanuc/cutter-compensation-b: the vector at the end of a block, its length and side, and the arcs of the tool.
 
     Everything lies in the plane of the first two coordinates. [u] is the direction of a block (its travel, or I J), of any

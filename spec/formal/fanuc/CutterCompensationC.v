@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** fanuc/cutter-compensation-c: the vectors at a corner, and why they are the right ones.
 
     Everything lies in the plane of the first two coordinates; vectors are counted from the corner. [t1] is the unit

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Laws of the inverse of tool center point control: with a pair of rotary positions the tool points along its
     direction. *)
 From Coq Require Import Reals Lra Psatz Bool ZArith List.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** fanuc/leading-edge-offset: the compensation vector of G41.3, its direction rules, and why they are consistent.
 
     [VT] is the tool direction from tip to spindle at the end of a block, of any length; [VM] the movement of the next

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Laws of the corners of tool side compensation: between two lines they are those of the section, and keep the
     distance of the offset from both. *)
 From Coq Require Import Reals Lra Psatz Bool ZArith List.

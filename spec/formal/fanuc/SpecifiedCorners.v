@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** fanuc/cutter-compensation-c: the corners of program/, over the real numbers, are those of the definitions: their
     theorems hold of what runs. *)
 From Coq Require Import Reals Lra Psatz Bool ZArith List.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** fanuc/cutter-compensation-b: the vectors of program/, over the real numbers, are those of the definitions. *)
 From Coq Require Import Reals Lra Psatz Bool ZArith.
 From Toolcomp Require Import Vectors CutterCompensationB OutcomeLaws.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** fanuc/tool-center-point-control: the direction of the tool on heads, tables and mixed machines, its inverse, the
     control point, and the path of the tip on a table.
 

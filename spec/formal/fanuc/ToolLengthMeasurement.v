@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** fanuc/tool-length-measurement: the value that G37 writes, and the zones in which it accepts the signal.
 
     One axis; [A] is where the block starts, [D] the commanded coordinate, [T] the position of the axis at which the

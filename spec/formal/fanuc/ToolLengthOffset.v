@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** fanuc/tool-length-offset: G43, G44 and G49 as shifts of single axes, and the laws of such shifts.
 
     An offset is chosen for an axis by type A, B or C; here the choice is made and the axis is given. *)

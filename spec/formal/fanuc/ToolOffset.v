@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** fanuc/tool-offset: G45 to G48 on one axis, what a code undoes, and what stays.
 
     Every axis of a block goes by itself, so one axis is enough; an arc has two of them. *)

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** fanuc/tool-posture-control: the direction of the tool between two directions, singular postures, and a changed end.
 
     [a], [b]: directions of length 1 at start and end of a block; [N] their cross product; [s] a singular direction. Angles

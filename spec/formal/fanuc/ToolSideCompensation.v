@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** fanuc/tool-side-compensation: the vectors of G41.2 and G42.2 between two lines, with and without a basis of the
     compensation plane, and why they are the right ones.
 

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** heidenhain/face-milling: where the effective tool stands so that it touches what the nominal tool touched, and why
     that is the compensation the manual describes.
 

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** heidenhain/peripheral-milling: the direction in which RL and RR compensate under TCPM, and the end points between
     blocks.
 

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** heidenhain/programmed-contour: the programmed coordinates as those of the contour, and that this is the same
     compensation as that of the tool path.
 

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** heidenhain: what program/ says, over the real numbers, is what the definitions of the sections say: their theorems hold
     of what runs. *)
 From Coq Require Import Reals Lra Psatz Bool ZArith List.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Positions of rotary axes: numbers of degrees whose sines, cosines and whole turns are known exactly.
 
     The degrees of an angle between directions are an arctangent, of which no equality is ever proven; its sine and cosine

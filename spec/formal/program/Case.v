@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Cases of both dialects: what is run, and what theorems about runs speak of. *)
 From Coq Require Import List ZArith.
 From Toolcomp Require Import Numbers Data FanucCase KlartextCase.

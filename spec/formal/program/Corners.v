@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Corners of two blocks in a plane: the vectors that chapter 14 makes there, of start-up and cancel too. Nothing here
     knows a program. A head is the corner plus a vector; the vectors of a corner, in their order, are its group. The plane
     is the one selected, or that of a tool in space. *)

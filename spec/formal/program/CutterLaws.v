@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Laws of cutter compensation: the side, the value 0, and the path behind a cancel. *)
 From Coq Require Import List String ZArith Bool PeanoNat Reals Lra.
 From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs Corners Interference LengthOffset

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Setups, programs and what runs say as trees of whole numbers, texts and numbers: what whoever reads texts hands over,
     and gets back. Nothing here knows what a program means. *)
 From Coq Require Import List String Ascii ZArith Bool.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Laws of the leading edge offset: its vectors in a run. *)
 From Coq Require Import List String ZArith Bool PeanoNat Reals Lra Psatz.
 From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates LengthOffset EdgeState ControlState State

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** fanuc/leading-edge-offset: what the words of a block do to the leading edge offset, and their alarms. *)
 From Coq Require Import List String ZArith Bool PeanoNat.
 From Toolcomp Require Import Numbers Outcomes Words Codes Memory LengthOffset EdgeState State Movements ControlWords.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Laws of blocks with a surface normal in a Klartext run: face milling, and the programmed contour. *)
 From Coq Require Import List String ZArith Bool Reals Lra Psatz.
 From Toolcomp Require Import Numbers Outcomes Words Space KlartextSpace KlartextBlocks KlartextTool KlartextFace.

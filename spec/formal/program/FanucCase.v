@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** FANUC cases: setup and blocks from trees, events to trees. *)
 From Coq Require Import List String Ascii ZArith Bool.
 From Toolcomp Require Import Numbers Outcomes Words Pose Movements Program Data.

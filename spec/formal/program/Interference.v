@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** The interference check of a block: the vectors at its start against those at its end, in a plane. *)
 From Coq Require Import List String ZArith Bool.
 From Toolcomp Require Import Numbers Outcomes Words Codes Arcs Corners.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** heidenhain/program: the statements of a block and the setup of a control, as the reader of text hands them over. The
     reader follows labels and calls: blocks come in the order in which they run. *)
 From Coq Require Import List String ZArith Bool.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Klartext cases: setup and blocks from trees, events to trees. *)
 From Coq Require Import List String ZArith Bool.
 From Toolcomp Require Import Numbers Outcomes Words Space KlartextBlocks KlartextFace KlartextMoves KlartextProgram Data.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** heidenhain/face-milling: LN blocks with a surface normal, and their contact.
     heidenhain/programmed-contour: what the programmed point of such a block is. *)
 From Coq Require Import List String ZArith Bool.

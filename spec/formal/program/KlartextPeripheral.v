@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** heidenhain/peripheral-milling: RL and RR under TCPM, without a surface normal. *)
 From Coq Require Import List String ZArith Bool.
 From Toolcomp Require Import Numbers Outcomes Words Space KlartextSpace KlartextBlocks.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Points and directions of the Heidenhain sections: X, Y and Z, and the direction of the tool. *)
 From Toolcomp Require Import Numbers Words Space.
 From Coq Require Import ZArith.

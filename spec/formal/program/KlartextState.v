@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** heidenhain/program: what is in force from block to block, and what changes it. *)
 From Coq Require Import List String ZArith Bool.
 From Toolcomp Require Import Numbers Outcomes Words Space KlartextSpace KlartextBlocks KlartextTool.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** heidenhain/tool: the effective tool of 3D compensation, and whether it may be used. *)
 From Coq Require Import List String ZArith Bool.
 From Toolcomp Require Import Numbers Outcomes Words Space KlartextSpace KlartextBlocks.

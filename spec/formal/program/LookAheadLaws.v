@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Laws of the look-ahead: how many blocks behind a block the compensations read. *)
 From Coq Require Import List String ZArith Bool PeanoNat Reals Lra Lia.
 From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs Corners LengthOffset ToolShift.

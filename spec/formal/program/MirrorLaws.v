@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Laws of mirror images: a corner of two lines that is mirrored, and offset to the other side,
     has the mirrored vectors. *)
 From Coq Require Import List String ZArith Bool Reals Lra.

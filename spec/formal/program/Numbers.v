@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** The numbers a program computes with: whatever has these operations. Coq's reals do, for theorems; exact numbers whose
     signs are certified do, for running. *)
 From Coq Require Import ZArith Reals.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Laws of G45 to G48 and of G37: the value 0, and the mirrored measurement. *)
 From Coq Require Import List String ZArith Bool Reals Lra.
 From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset ToolShift Measurement

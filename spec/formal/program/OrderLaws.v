@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Laws of whole runs: the order of their events, and where they end. *)
 From Coq Require Import List String ZArith Bool PeanoNat Reals Lra Lia Sorted.
 From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs Corners LengthOffset ToolShift.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** What an outcome tells of its parts, what the sign of a real number tells of the number, and lists of events that
     stop: for the laws. *)
 From Coq Require Import List String ZArith Bool Reals Lra.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** What a step of a program comes to, and what a run yields (docs/events.md). *)
 From Coq Require Import List String ZArith.
 From Toolcomp Require Import Numbers.

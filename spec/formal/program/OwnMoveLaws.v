@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Laws of event rule 1: a block with an axis word makes exactly one own move, and no compensation changes that. *)
 From Coq Require Import List String ZArith Bool PeanoNat Reals Lra Lia.
 From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs Corners LengthOffset ToolShift.

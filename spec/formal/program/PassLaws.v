@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Laws of the compensations: where a mode is never on its pass changes nothing, and a program without compensation
     runs as it is planned. *)
 From Coq Require Import List String ZArith Bool PeanoNat Reals Lra.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Laws of peripheral milling in a Klartext run: directions, junctions, sides, and the look-ahead. *)
 From Coq Require Import List String ZArith Bool Reals Lra Psatz.
 From Toolcomp Require Import Numbers Outcomes Words Space KlartextSpace KlartextBlocks KlartextTool KlartextFace.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Tool posture control: the angles by which the rotary axes follow a great circle.
 
     On the tool side an angle is told by what it stands beside the one at which the tool is nearest to u_w: above it, up to

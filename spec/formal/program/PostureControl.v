@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Tool posture control, P1 of G43.4 and G43.5: how the rotary axes run in a block. Directions are as the
     work-side axis has them, turned about it by whatever angle; those from zero as seen from the zero pose of the table. *)
 From Coq Require Import List String ZArith Bool PeanoNat.

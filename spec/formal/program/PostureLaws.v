@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Laws of tool posture control: where a block starts and ends, when its axes run evenly, and the great circle inside.
     *)
 From Coq Require Import List String ZArith Bool PeanoNat Reals Lra Psatz.

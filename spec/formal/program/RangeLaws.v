@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Laws of the ranges of rotary axes: every position that is judged is in its range. *)
 From Coq Require Import List String ZArith Bool PeanoNat Reals Lra Lia.
 From Toolcomp Require Import Numbers Outcomes Words Codes Angles ControlState ControlFrame ChoiceOfPair OutcomeLaws

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Laws of the choice of rotary positions: what is chosen is one of the pairs of the direction, by whole turns. *)
 From Coq Require Import List String ZArith Bool PeanoNat Reals Lra Lia.
 From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Angles ControlState State Space Pose.

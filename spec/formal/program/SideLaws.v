@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Laws of tool side compensation: every vector of a run is at right angles to the tool. *)
 From Coq Require Import List String ZArith Bool PeanoNat Reals Lra Psatz.
 From Toolcomp Require Import Numbers Outcomes Words Codes Memory Arcs Corners LengthOffset SideState ControlState State

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (** Points and vectors in space. *)
 From Coq Require Import List ZArith.
 From Toolcomp Require Import Numbers Outcomes Words State.

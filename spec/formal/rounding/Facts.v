@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (* What the scripts of Gappa take for granted of real numbers: its arithmetic is that of intervals, and does not know
    that a square is a share of a sum of squares, or a component no longer than its vector. *)
 From Coq Require Import Reals Lra Psatz.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (* The vector of the leading edge offset. Gappa bounds components in intervals and does not know that those of a unit
    vector are never at their largest together; so whole vectors are bounded here, by hand.
 

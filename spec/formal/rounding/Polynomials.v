@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (* The polynomials of fast/arithmetic/trigonometry.cpp (those of fdlibm) against sine and cosine: what sine.gappa and
    cosine.gappa take for granted. Constants are the doubles of the source, as fractions. *)
 From Coq Require Import Reals Lra.

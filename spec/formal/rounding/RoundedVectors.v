@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (* Vectors whose components are rounded to 53 bits, to nearest, and how far rounding takes lengths, products and
    directions. Exponents have no least: what the engine computes with is 0, or far above the least double. *)
 From Coq Require Import Reals Lra Psatz.

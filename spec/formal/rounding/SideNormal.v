@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
 (* The vector of tool side compensation at right angles to a line: by whole vectors, as in LeadingEdge.v.
 
 # code: fast/fanuc/tool_side_compensation/tool_plane.h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One block of a FANUC program: words with exact decimals, and no meaning.
 #pragma once
 

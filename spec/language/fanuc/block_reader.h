@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The blocks of a piece of FANUC program text, one after the other as they stand there. ProgramReader puts them in the
 // order in which they run.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a FANUC control has and this project does not, by name. Texts are static: "G81 (drilling cycle) is not
 // supported".
 #pragma once

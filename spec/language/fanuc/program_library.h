@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The programs that a FANUC program may call: those in its own text, and those in files that are joined to it.
 #pragma once
 

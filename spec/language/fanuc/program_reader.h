@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // FANUC program text to blocks. Syntax only: modal and one-shot words are left uninterpreted.
 #pragma once
 

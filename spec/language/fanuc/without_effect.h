@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a FANUC program says that changes no path (clause fanuc.program.without-effect), for the report of a
 // certificate.
 #pragma once

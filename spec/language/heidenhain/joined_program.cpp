@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "spec/language/heidenhain/joined_program.h"
 
 #include <algorithm>

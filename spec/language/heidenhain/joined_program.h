@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A program and all those it calls as one text.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "spec/language/heidenhain/klartext_block.h"
 
 namespace toolcomp::spec::klartext {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One logical block of a Klartext program: a statement with its words, exact decimals, and no meaning.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which bytes a Klartext program may have. Internal to the reader.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // LBL, CALL LBL, CALL PGM: the words. Where the program goes on is known to klartext_calls.h.
 #include "spec/language/heidenhain/klartext_parser.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs in programs: which block comes next. Order of text alone, so that both engines may rest on it. Internal to
 // the reader.
 #pragma once

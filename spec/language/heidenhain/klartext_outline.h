@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What of a text in memory matters to calls: LBL, CALL PGM, BEGIN PGM and END PGM, in the order of the text. Internal
 // to the reader.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One logical block of a Klartext program, all of it in memory, to a Block: the grammar. Internal to the reader.
 #pragma once
 

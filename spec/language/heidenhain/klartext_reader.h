@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Klartext program text to blocks. Syntax only: what the words mean is left to the engines.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The statements that do not move: everything but L and LN.
 #include <algorithm>
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Statements and words that have a name here and no more: what would move, turn or mirror the path, and arithmetic.
 #include <algorithm>
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Letters, numbers and values of a Klartext text. Every function takes the place of what it is to read and returns the
 // place behind it, or nothing where something else stands. Internal to the reader.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What this project does not follow in a program that a control may well run.
 #pragma once
 

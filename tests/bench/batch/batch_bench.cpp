@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lines as arrays (fast/batch): nanoseconds a block, one thread, the memory of the moves used again; by the best
 // instructions this processor has, and by those every one has.
 #include "fast/batch/batch.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What no compensation of many corners at once can undercut on the machine at hand: the same corners as
 // floor_bench.cpp, an array for each component, by vector code. The yardstick of the batch/ rows.
 #include <benchmark/benchmark.h>

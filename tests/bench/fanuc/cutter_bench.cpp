@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // G37, G45 to G48 and cutter compensation B and C: nanoseconds a block under the fast engine and the exact model, one
 // thread, streaming. Blocks are read once beforehand, except in text_to_path.
 #include <fmt/format.h>

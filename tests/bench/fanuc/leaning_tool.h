@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A tool that leans out of a wavy ring and turns as it goes around.
 #pragma once
 

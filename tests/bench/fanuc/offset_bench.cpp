@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool length offset and leading edge offset: nanoseconds a block under the fast engine and the exact model, one
 // thread, streaming. Blocks are read once beforehand, except in text_to_path.
 #include <cstdint>

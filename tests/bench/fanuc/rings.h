@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs that run around a wavy ring again and again.
 #pragma once
 

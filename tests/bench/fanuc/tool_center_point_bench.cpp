@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool center point control and tool posture control: nanoseconds a block end, and a sample inside a block, around a
 // wavy ring with a tool that turns in every block; of the block end the inverse kinematics alone.
 #include <array>

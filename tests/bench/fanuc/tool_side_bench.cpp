@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool side compensation: nanoseconds a block under the fast engine and the exact model, one thread, streaming, around
 // a wavy ring.
 #include "tests/bench/fanuc/leaning_tool.h"

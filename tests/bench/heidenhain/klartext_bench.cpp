@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Heidenhain 3D tool compensation: nanoseconds a block under the fast engine and the exact model, one thread,
 // streaming.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The manual's programs of chapter 14 as a user runs them, both engines, to twelve decimals of figures worked out by
 // hand; what explain says of them; long contours.
 #include <gtest/gtest.h>

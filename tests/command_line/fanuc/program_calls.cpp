@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs as they come, as a user runs them: what is not supported says its name with its place, and programs are
 // called from files beside.
 #include <gtest/gtest.h>

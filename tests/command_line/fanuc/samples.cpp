@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `--samples` as a user gives it: the pyramid of the manual's program O0010 under posture control and without.
 #include <gtest/gtest.h>
 

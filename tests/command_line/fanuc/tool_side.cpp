@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool side compensation as a user runs it: the examples in the examples folder, the manual's interference figure, long
 // flanks, and what explain, the picture and the report show of them.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Klartext programs through every command, as a user runs them: the manual's situations of examples/heidenhain.
 #include <gtest/gtest.h>
 

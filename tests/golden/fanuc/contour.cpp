@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Long contours: the same bytes everywhere, closed, with arcs whose ends are equally far from their centres; both
 // engines agree on them, and the tight ones end where elementary geometry says.
 #include "corpus/contour.h"

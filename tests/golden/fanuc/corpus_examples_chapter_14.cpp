@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // G37 and G45 to G48: the vectors written by hand hold the worked examples of 14.2 and 14.3, typed in from the
 // derivation. Of the rules, and of cutter compensation B, figures stand beside the examples (golden/figures.cpp).
 #include "tests/golden/rows.h"

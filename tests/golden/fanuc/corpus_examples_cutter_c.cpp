@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cutter compensation C: the vectors written by hand hold the worked examples of 14.5 and 14.6, typed in
 // from the derivation. Where that has only the heads of a corner, the head at the end of the last block is worked out
 // by hand: d times the unit normal there.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Leading edge offset: the worked examples LE1 to LE10 and the rules. Every figure is typed in from the derivation or
 // worked out by hand in the vector's comment; fifteen decimals, as vectors have.
 #include "tests/golden/rows.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool posture control: the vectors written by hand hold the figures of the worked examples 2 to 5, 7 to 9 and 11,
 // typed in from a derivation in 50 digits; those of the rules are worked out by hand in the vectors' comments.
 #include "tests/golden/fanuc/pose_rows.h"

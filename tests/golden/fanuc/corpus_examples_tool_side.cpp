@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool side compensation: the vectors written by hand hold the figures of the worked examples TS1 to TS11 under both
 // engines, typed in from the derivation. Heads that those do not name (at the ends of the first and the last block, and
 // in the rules) are worked out by hand: the value times the unit normal, or the construction named in the vector's

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Long five-axis programs: the same bytes everywhere, on the flank that the formula describes, and both engines agree
 // on them.
 #include "corpus/flank.h"

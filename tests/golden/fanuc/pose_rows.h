@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Worked examples of tool center point control against rows of figures.
 #pragma once
 

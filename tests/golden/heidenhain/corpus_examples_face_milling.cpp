@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The vectors of face milling hold the figures of the worked examples E1 to E28 and the table of oversize verdicts, to
 // the last digit typed in. All of them, and the figures of the rules, are by hand from the formulas of the clauses
 // (3-4-5 vectors: all rational), checked by a computation with 70 digits that shares nothing with the engines.

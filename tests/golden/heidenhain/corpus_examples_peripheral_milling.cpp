@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The vectors of peripheral milling hold the figures of the worked examples E8, E9 and E10, to the last digit typed in.
 // The figures of the rules are by hand from heidenhain.peripheral.direction (tool along Z: -0.1 of the left of the
 // travel), checked by a computation with 70 digits that shares nothing with the engines.

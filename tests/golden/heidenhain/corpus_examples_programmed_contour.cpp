@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The vectors of the programmed contour hold the figures of the worked examples E9, E10, E13, E16 under IS CONTOUR, and
 // E1 at its contact point, to the last digit typed in. The figures of the rules are by hand from
 // heidenhain.contour.nominal-tip and heidenhain.peripheral.direction, checked by a computation with 70 digits that

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finishing programs of LN blocks: the same bytes everywhere, on the surface that the formula describes, and both
 // engines agree on them.
 #include "corpus/freeform.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The example programs of 3D tool compensation under both engines: what the README beside them says, by hand. A contact
 // of the strip is q = 20 N; nominal ball 3, effective ball r, t = T: centre q + r N, tip q + r N - r T.
 #include <gtest/gtest.h>

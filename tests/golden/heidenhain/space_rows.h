@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Worked examples of Heidenhain 3D compensation against rows of figures.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Paths of lines and arcs under cutter compensation and, the same with a tool along Z, tool side compensation, written
 // as programs in several ways, and comparison of runs that must be the same up to a motion of the plane.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laws of cutter compensation B (14.4) on paths of lines and arcs.
 #include "tests/property/fanuc/cutter_paths.h"
 

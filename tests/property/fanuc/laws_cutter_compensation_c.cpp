@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laws of cutter compensation C (14.5, 14.6) on paths of lines and arcs.
 #include <algorithm>
 

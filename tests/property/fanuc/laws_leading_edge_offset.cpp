@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laws of the leading edge offset on paths made for them (what follows from fanuc.leading-edge.*): lists of movements
 // with a tool direction each, written out as programs in several ways.
 #include "tests/property/fanuc/tool_paths.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laws that hold for every program: motions of space, units, ways to write the same program. Cases come from the
 // generators; equality is that of exact values in the model, and the fast engine must agree with the model on the
 // changed case too.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laws of automatic tool length measurement (14.2): where the two moves end and what is written, from positions in
 // whole thousandths; approach from either side; what later moves do.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laws of the tool length offset (chapter 14, 14.1.1): what the axes are sent to is the programmed point plus one
 // vector.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laws of tool offset G45 to G48 (14.3): pairs that undo each other, scaling, mirror, doubling.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laws of tool center point control and tool posture control.
 #include "spec/language/setup_format.h"
 #include "tests/property/fanuc/tool_paths.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laws of tool side compensation (fanuc.tool-side.*): in space on straight movements with tool directions by I J
 // K, and in the plane, lines and arcs, with the tool along Z, where it is cutter compensation C.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Modal groups as a state machine: random sequences of blocks against a plain abstract control written here. The
 // control knows G90 G91, G00 G01, G43 G44 G49 with H in a type A memory, and whether G41.3 is on; numbers are whole
 // thousandths.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Modal groups G40 to G42 with G39, G41.2 and G42.2, and G45 to G48, as state machines: random sequences of blocks
 // against plain abstract controls written here. Cutter compensation B moves along the axes, so that every vector is (0,
 // ±d) or (±d, 0); C goes straight on along X, so that every vector is (0, ±d). Numbers are whole thousandths.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Paths of straight movements with a tool direction each, written as programs with I J K under G43.5.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Klartext blocks survive their text, however it is laid out; any bytes are blocks or one error.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

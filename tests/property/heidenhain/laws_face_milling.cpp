@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laws of face milling over exact numbers; the fast engine agrees on both
 // sides of each.
 #include "tests/property/heidenhain/space_paths.h"

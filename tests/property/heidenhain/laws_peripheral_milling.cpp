@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laws of peripheral milling by RL and RR over exact numbers.
 #include "tests/property/heidenhain/space_paths.h"
 

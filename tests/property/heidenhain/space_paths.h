@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs of 3D tool compensation (Heidenhain) made of exact numbers, and what the model says of them as vectors.
 #pragma once
 

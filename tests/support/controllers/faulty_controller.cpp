@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A controller that is right until it is told not to be: `toolcomp_faulty_controller FAULT [TEXT]` answers with the
 // fast engine and commits FAULT in every case whose program contains TEXT (without TEXT: in every case). `seventh-…`
 // commits it in every seventh case that its process is asked, `sometimes-…` in about half of them, by chance.

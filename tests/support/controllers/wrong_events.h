@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lies about the events of a right answer, by name: what a faulty controller makes of them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /* Exact numbers by Calcium, as a stack machine that C++ can call. */
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random expressions that different arithmetics evaluate independently of each other.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Before main: the seeded fault that TOOLCOMP_FAULT names is in force, on the thread that does a command's work.
 #include <cstdlib>
 #include <iostream>

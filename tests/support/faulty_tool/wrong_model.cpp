@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A planted fault in the model: it takes G44 for G43. The linker puts this function in the place of fuzz::run_model
 // (CMakeLists.txt), whose symbol it asks for by its own.
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // program: allocations
 // Nothing allocates per block: neither the reader nor the engine, in any section.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cutter compensation C in the fast engine, by hand. The worked examples of 14.5 and 14.6 stand in
 // golden/fanuc/corpus_examples_cutter_c.cpp. Unless stated d = 10, G41, type A, A = (0,0) to (40,0).
 #include <gtest/gtest.h>

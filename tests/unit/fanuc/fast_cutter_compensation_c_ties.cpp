@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decisions of cutter compensation C that stand on an edge, in the fast engine: what is exactly tangent, exactly at
 // right angles or exactly touching must be found so, in frames whose numbers are no doubles. Expected values by hand.
 #include <gtest/gtest.h>

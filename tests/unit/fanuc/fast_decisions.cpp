@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decisions and vectors of leading edge offset: against whole numbers of GMP where the tool direction is rational,
 // against identities of special angles where it comes from rotary axes.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Leading edge offset in the fast engine, by hand. The worked examples LE1 to LE10 stand in
 // golden/fanuc/corpus_examples_leading_edge_offset.cpp. Unless stated, R = 10 and the tool direction comes from I J K.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs a program through the fast engine and keeps its events.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Machines and checks for tests of tool center point control in the fast engine.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules of tool center point control in the fast engine: words, alarms, the end of the mode, WKP, arcs, samples, turns.
 // Expected values: the worked examples and the clauses, and hand derivations where a comment says so.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool length measurement G37 of the fast engine, by hand. The worked examples of 14.2 stand in
 // golden/fanuc/corpus_examples_chapter_14.cpp.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool length offset in the fast engine: machine coordinates of 14.1.2, and derivations by hand. The worked examples
 // stand in corpus/examples/fanuc/tool_length_offset.cpp.
 #include <gtest/gtest.h>

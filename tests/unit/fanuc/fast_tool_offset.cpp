@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool offset G45 to G48 of the fast engine, by hand. The worked examples of 14.3 stand in
 // golden/fanuc/corpus_examples_chapter_14.cpp.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plans and samples of tool posture control in the fast engine, beside the worked examples
 // (golden/fanuc/corpus_examples_tool_posture.cpp): the rules of singular postures, and what holds of any block.
 #include "fast/fanuc/tool_posture_control/posture.h"

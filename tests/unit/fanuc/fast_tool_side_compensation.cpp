@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool side compensation in the fast engine, by hand. The worked examples TS1 to TS11 stand in
 // golden/fanuc/corpus_examples_tool_side.cpp. Tool directions are exact, by I J K under G43.5; by rotary words where a
 // test says so.

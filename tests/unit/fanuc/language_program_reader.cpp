@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The reading rules of spec/language/README.md, one test a rule; positions are counted by hand.
 #include "spec/language/fanuc/program_reader.h"
 

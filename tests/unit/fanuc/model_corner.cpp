@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The geometry of a corner by itself: classes, vectors, meeting points, groups, and what is left of a block between two
 // groups. Expected values: the worked examples of 14.6.1 to 14.6.5, by hand; where a comment says so, derived here.
 #include "model/fanuc/corner/corner.h"

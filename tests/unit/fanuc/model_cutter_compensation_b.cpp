@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cutter compensation B in the exact engine, by hand. The worked examples of 14.4 stand in
 // corpus/examples/fanuc/cutter_compensation_b.cpp.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cutter compensation C in the exact engine: blocks between those that move. The worked examples of 14.5 and 14.6 stand
 // in golden/fanuc/corpus_examples_cutter_c.cpp.
 #include <gtest/gtest.h>

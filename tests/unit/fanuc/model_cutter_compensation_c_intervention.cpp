@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // MDI intervention in cutter compensation C (14.6.7): five examples. A(0,0) → B(40,0) → C(70,-40) →
 // D(110,-40), G41, d = 10; the program stops at B.
 #include "model/fanuc/cutter_compensation_c/intervention.h"

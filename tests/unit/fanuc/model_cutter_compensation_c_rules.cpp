@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules of cutter compensation C that the worked examples do not show: what ends the look-ahead, codes without
 // motion, alarms and the moves given before them, planes and other axes. Expected values are derived from the clauses.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs a program in the exact engine and looks at the heads of its compensation vectors, so that a test reads like a
 // table of them.
 #pragma once

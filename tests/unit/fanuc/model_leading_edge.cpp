@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules of the leading edge offset. VC = ±R·V/|V| with V = (VM × VT) × VT; with VT in the X-Z plane and VM along X the
 // vectors are those of LE1 and LE2 (corpus/examples/fanuc/leading_edge_offset.cpp), others are derived in the comments.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // program: allocations
 // What waits behind a vector of the leading edge offset is bounded, however many blocks come that are none.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules of the tool length offset that the worked examples do not show. Expected values are derived in the comments.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the model tells of moves beside their events: where positions count from, and what lies inside.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool posture control end to end: what the worked examples (golden/fanuc/corpus_examples_tool_posture.cpp) do not say:
 // the flank at every moment, numbers that do not grow.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The figures of the worked examples 2 to 5 and 7 to 9 beside their positions: angles between directions, distances
 // from the singular posture, moments and errors. Expected values are typed in from a derivation in 50 digits, to 15.
 // Where a program can show a figure both engines run it.

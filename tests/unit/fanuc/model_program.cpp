@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Interpretation common to the sections: units, arcs, workpiece and machine coordinates, offset memory and G10, alarms.
 // Expected values are derived by hand in the comments or stand for themselves.
 #include <gtest/gtest.h>

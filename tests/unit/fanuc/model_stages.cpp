@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The stages of compensation as a pipeline: who is asked when, and how long a block is held.
 #include <gtest/gtest.h>
 

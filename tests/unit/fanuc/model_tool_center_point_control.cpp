@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool center point control: its rules, alarms and events. Expected values are derived in the comments; the worked
 // examples stand in golden/fanuc.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool directions: of rotary axes by both sets of parameters, and of I J K under G43.5. Expected directions are the
 // closed forms of each machine by hand, and the inverse kinematics of worked example 1, read backwards.
 #include <gtest/gtest.h>

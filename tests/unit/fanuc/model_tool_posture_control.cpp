@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool posture control of single blocks, beside the worked examples (golden/fanuc/corpus_examples_tool_posture.cpp).
 // Positions stand as "tool-side work-side" in degrees.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool side compensation: the manual's route by C1, C2 and M against the model's route without a basis, and rules
 // derived in the comments. VT345 is (3/5, 0, 4/5), I3 J0 K4. The worked examples TS1 to TS11 stand in
 // golden/fanuc/corpus_examples_tool_side.cpp.

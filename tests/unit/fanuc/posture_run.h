@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tool posture control of single blocks on the machines of the worked examples, from exact poses and directions.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // FANUC programs with M98 and M99 give the events of the same program without them, as a script written from the words
 // of the clauses (tests/support/expand_fanuc.py) carries the calls out: model and fast engine, block by block.
 #include <gtest/gtest.h>

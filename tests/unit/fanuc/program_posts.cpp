@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs as post processors write them (tests/support/posts/fanuc): both engines agree on all of them, up to what is
 // not supported, which says its name with its place.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the workpiece stands: G54 to G59, G54.1, G52, G92, G10 L2 L20, in both engines. Expected values are by hand:
 // machine coordinate = workpiece coordinate + origins, local system and shift.
 #include <fmt/format.h>

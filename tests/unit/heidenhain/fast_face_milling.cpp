@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Heidenhain face milling in the fast engine. Expected values: a table of verdicts by the order of checks, and hand
 // derivations. The worked examples stand in golden/heidenhain/corpus_examples_face_milling.cpp.
 #include "tests/unit/heidenhain/fast_klartext_run.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The state of a Klartext program in the fast engine. Expected values by hand from heidenhain.program.*.
 #include "tests/unit/heidenhain/fast_klartext_run.h"
 

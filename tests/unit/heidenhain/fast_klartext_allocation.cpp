@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // program: allocations
 // Nothing allocates per block of a Klartext program: neither the reader nor the engine.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Heidenhain peripheral milling by RL and RR in the fast engine, by hand. The worked examples stand in
 // golden/heidenhain/corpus_examples_peripheral_milling.cpp.
 #include "tests/unit/heidenhain/fast_klartext_run.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // FUNCTION PROG PATH in the fast engine. Expected values by hand from the clauses of heidenhain.contour; the worked
 // examples stand in golden/heidenhain/corpus_examples_programmed_contour.cpp.
 #include "tests/unit/heidenhain/fast_klartext_run.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs with calls give the events of the same program without them, as a script written from the manuals' words
 // (tests/support/expand_klartext.py) carries the calls out: model and fast engine, block by block.
 #include <gtest/gtest.h>

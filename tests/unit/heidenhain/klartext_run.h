@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs a Klartext program in the exact engine and shows numbers as the tests have them typed in.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs in programs: which block comes next, by hand from the clauses; and the text that a program with those it
 // calls is.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rules of the Klartext reader (spec/language/README.md), one test a rule; positions are counted by hand.
 #include "spec/language/heidenhain/klartext_reader.h"
 

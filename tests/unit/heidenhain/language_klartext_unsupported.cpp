@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What this project does not follow says its name; what changes nothing is read.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Face milling in the exact engine: the table of oversize verdicts, warnings, and 3D-ToolComp. Expected values
 // are derived by hand. The worked examples stand in
 // golden/heidenhain/corpus_examples_face_milling.cpp.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laws of face milling that hold for every tool and direction, proven on rational and
 // irrational vectors by the exact numbers themselves: every comparison here is a certified one.
 #include <gtest/gtest.h>

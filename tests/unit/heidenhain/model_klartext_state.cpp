@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The state of a Klartext program in the exact engine, rule by rule.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Peripheral milling in the exact engine: its rules on paths whose answers are seen by eye: the tool
 // along Z, so RL is to the left in the plane. The worked examples stand in
 // golden/heidenhain/corpus_examples_peripheral_milling.cpp.

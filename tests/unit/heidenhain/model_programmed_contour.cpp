@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // FUNCTION PROG PATH in the exact engine: IS CONTOUR agrees with OFF at the nominal tip and centre (P7), and is modal.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A finding about a Heidenhain move is named by the clause that makes its value, whatever was applied behind it.
 #include "spec/language/naming_clause.h"
 
