@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: Apache-2.0
 // A controller in C++: a control that positions, G00 and G01 with X Y Z, and knows no compensation. In place of moves()
 // stands what asks your control.
 #include "controller.h"

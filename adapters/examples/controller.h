@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: Apache-2.0
 // The controller's side of the protocol (docs/protocol.md) in one header, over nlohmann/json.
 #pragma once
 

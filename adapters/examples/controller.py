@@ -1,5 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-License-Identifier: Apache-2.0
 """A controller in Python, standard library alone: a control that knows tool length offset and little else. In place of
 run() stands what asks your control. docs/protocol.md says what goes to and fro."""
 import json

@@ -1,5 +1,4 @@
 #!/bin/sh
-# SPDX-License-Identifier: Apache-2.0
 # A controller in shell, for a control that runs one program at a time from files: here `toolcomp run`, which prints an
 # event a line. docs/protocol.md says what goes to and fro.
 simulator=${TOOLCOMP:-../../build/release/toolcomp}
