@@ -46,6 +46,7 @@ struct ProgramReader::State {
   std::vector<Call> calls;
   std::uint64_t called_blocks = 0;
   std::optional<Block> found;  // by M99 P: it comes next
+  bool too_long = false;       // behind the block that is said to be too much none comes
 };
 
 bool ProgramReader::State::read(Block& block) {
@@ -138,6 +139,8 @@ ProgramReader& ProgramReader::operator=(ProgramReader&&) noexcept = default;
 
 bool ProgramReader::next(Block& block) {
   State& state = *state_;
+  if (state.too_long) [[unlikely]]
+    return false;
   if (state.calls.empty() && !state.found) [[likely]] {
     if (!state.main.next(block)) return false;
   } else if (!state.read(block)) {
@@ -145,7 +148,8 @@ bool ProgramReader::next(Block& block) {
   }
   if (!state.calls.empty()) [[unlikely]] {
     state.calls.back().empty = false;
-    if (++state.called_blocks > state.options.most_repeated)
+    state.too_long = ++state.called_blocks > state.options.most_repeated;
+    if (state.too_long)
       block.alarm = ReadAlarm{"TOO_LONG", 1, "programs that are called have more blocks than are followed here", true};
   }
   if (state.reader().jump() != BlockReader::Jump::none && !block.alarm) [[unlikely]]

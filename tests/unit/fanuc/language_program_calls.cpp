@@ -204,6 +204,8 @@ TEST(ProgramCalls, WhatMakesTooManyBlocksEnds) {
   EXPECT_EQ(block.alarm->number, Name("TOO_LONG"));
   EXPECT_TRUE(block.alarm->beyond);
   EXPECT_EQ(blocks, 1002U) << "a thousand, and two of the main program";
+  // Who reads on past the alarm comes to an end as well: repeats in repeats would have none.
+  EXPECT_FALSE(reader.next(block));
   // Programs without blocks end at once.
   EXPECT_EQ(order("M98 <S> L999999999999999\nX1\nM30\n<S>\n"), "1 2 3");
 }
