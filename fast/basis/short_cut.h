@@ -8,9 +8,11 @@ namespace toolcomp::fast {
 enum class ShortCut : unsigned char {
   cutter_b_arc,       // fanuc/cutter_compensation_b/usual_arc.cpp
   cutter_line,        // fanuc/cutter_compensation_c/usual_line.cpp
-  cutter_path,        // fanuc/cutter_compensation_c/usual_path.cpp
+  cutter_path,        // fanuc/corner/usual_paths.*, for cutter compensation C
   leading_edge_line,  // fanuc/leading_edge_offset/usual_edge_line.cpp, fanuc/leading_edge_offset/usual_line.h
   tool_side_line,     // fanuc/tool_side_compensation/usual_side_line.cpp, fanuc/tool_side_compensation/usual_line.h
+  tool_side_path,     // fanuc/corner/usual_paths.*, for tool side compensation
+  tip_line,           // fanuc/control/usual_tip_lines.*
   posture,            // fanuc/tool_posture_control/usual_posture.cpp
   pair,               // kinematics/usual_pair.cpp
 };

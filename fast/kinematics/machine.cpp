@@ -121,7 +121,7 @@ void Machine::set_zeros(const std::array<Count, spec::kMaxAxes>& zero) {
   }
 }
 
-void Machine::pose(const std::array<Count, spec::kMaxAxes>& position, std::uint16_t rounded_axes, Pose& pose) {
+void Machine::attitude(const std::array<Count, spec::kMaxAxes>& position, std::uint16_t rounded_axes, Pose& pose) {
   for (std::size_t i = 0; i < 2; ++i) {
     RotaryPosition& rotary = pose.axis[i];
     const std::size_t index = axis_[i].index;
@@ -137,24 +137,6 @@ void Machine::pose(const std::array<Count, spec::kMaxAxes>& position, std::uint1
   if (rounded_axes != 0) pose.tool.fine_error += 4 * RotaryPosition::kRounded;
   pose.axis[tool_side_].turn = {inner.sine * axis_[tool_side_].sense, inner.cosine};
   pose.axis[work_side()].turn = {outer.sine * axis_[work_side()].sense, outer.cosine};
-  set_branch(pose);
-  // c(psi) turned by the work-side axis: near a singular posture as accurate as the sines.
-  const PolarFrame::Constants<double>& c = polar_.constants();
-  if (polar_.invertible()) {
-    SineCosine<double> psi = inner;
-    if (!polar_.phase().is_zero()) {
-      const Count& turned = pose.axis[tool_side_].count;
-      psi = sine_cosine((axis_[tool_side_].sense < 0 ? -turned : turned) - polar_.phase());
-    }
-    const auto [sin_psi, cos_psi] = psi;
-    const auto [sin_work, cos_work] = outer;
-    const double away = cos_psi > 0 ? sin_psi * sin_psi / (1 + cos_psi) : 1 - cos_psi;
-    const double toward = cos_psi < 0 ? sin_psi * sin_psi / (1 - cos_psi) : 1 + cos_psi;
-    const double hx = away <= toward ? c.skew + c.sc * away : c.sum - c.sc * toward;
-    const double hy = -c.sa * sin_psi;
-    pose.seen = {hx * cos_work - hy * sin_work, hx * sin_work + hy * cos_work, c.cc + c.ss * cos_psi};
-    pose.relative = (polar_.has_plus() && cos_psi > 0) || (polar_.has_minus() && cos_psi < 0);
-  }
   if (!frozen_) return;
   Direction& direction = pose.tool;
   if (reports_machine_directions()) {
@@ -172,6 +154,28 @@ void Machine::pose(const std::array<Count, spec::kMaxAxes>& position, std::uint1
   direction.zero = 0;
   direction.is_whole = false;
   direction.framed = true;
+}
+
+void Machine::pose(const std::array<Count, spec::kMaxAxes>& position, std::uint16_t rounded_axes, Pose& pose) {
+  attitude(position, rounded_axes, pose);
+  set_branch(pose);
+  // c(psi) turned by the work-side axis: near a singular posture as accurate as the sines.
+  const PolarFrame::Constants<double>& c = polar_.constants();
+  if (polar_.invertible()) {
+    SineCosine<double> psi = kinematics_.turned(0);
+    if (!polar_.phase().is_zero()) {
+      const Count& turned = pose.axis[tool_side_].count;
+      psi = sine_cosine((axis_[tool_side_].sense < 0 ? -turned : turned) - polar_.phase());
+    }
+    const auto [sin_psi, cos_psi] = psi;
+    const auto [sin_work, cos_work] = kinematics_.turned(1);
+    const double away = cos_psi > 0 ? sin_psi * sin_psi / (1 + cos_psi) : 1 - cos_psi;
+    const double toward = cos_psi < 0 ? sin_psi * sin_psi / (1 - cos_psi) : 1 + cos_psi;
+    const double hx = away <= toward ? c.skew + c.sc * away : c.sum - c.sc * toward;
+    const double hy = -c.sa * sin_psi;
+    pose.seen = {hx * cos_work - hy * sin_work, hx * sin_work + hy * cos_work, c.cc + c.ss * cos_psi};
+    pose.relative = (polar_.has_plus() && cos_psi > 0) || (polar_.has_minus() && cos_psi < 0);
+  }
 }
 
 void Machine::set_branch(Pose& pose) const {

@@ -54,6 +54,8 @@ class Machine {
   void set_zeros(const std::array<Count, spec::kMaxAxes>& zero);
   // The pose at commanded positions (by axis index of the setup). Bit i of `rounded`: position[i] was computed.
   void pose(const std::array<Count, spec::kMaxAxes>& position, std::uint16_t rounded, Pose& pose);
+  // The same without `seen`, `psi` and `branch`, which inverse kinematics and tool posture control alone look at.
+  void attitude(const std::array<Count, spec::kMaxAxes>& position, std::uint16_t rounded, Pose& pose);
   // The position of axis i of a pose as a count; within 2^-63 rad unless it is exact.
   [[nodiscard]] Count count(const Pose& pose, std::size_t i) const;
   // The same as it is commanded; and rounded.

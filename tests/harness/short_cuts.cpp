@@ -14,6 +14,7 @@
 #include <iterator>
 #include <optional>
 #include <random>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -38,10 +39,12 @@ using fast::Fault;
 using fast::ShortCut;
 
 constexpr unsigned set_of(ShortCut s) { return 1U << static_cast<unsigned>(s); }
-constexpr unsigned kSameArithmetic =
-    set_of(ShortCut::cutter_line) | set_of(ShortCut::cutter_path) | set_of(ShortCut::leading_edge_line);
+constexpr unsigned kSameArithmetic = set_of(ShortCut::cutter_line) | set_of(ShortCut::cutter_path) |
+                                     set_of(ShortCut::leading_edge_line) | set_of(ShortCut::tip_line);
 constexpr unsigned kOwnArithmetic = set_of(ShortCut::cutter_b_arc) | set_of(ShortCut::tool_side_line) |
                                     set_of(ShortCut::pair) | set_of(ShortCut::posture);
+// As the general path does too, but some of its lines are also for a short cut that has formulas of its own.
+constexpr unsigned kSameBesideOwn = set_of(ShortCut::tool_side_path);
 
 // What a run gives with some short cuts closed and a fault in force; nothing: a setup that no control could have.
 std::optional<std::vector<fast::Event>> run(const spec::Case& c, unsigned closed, Fault fault = Fault::none) {
@@ -89,7 +92,11 @@ std::string broken(const spec::Case& c, Fault fault = Fault::none) {
   const std::string all = text(*usual, axes, Numbers::exact);
   if (const std::string other = text(*general, axes, Numbers::exact); all != other)
     return "with short cuts\n" + all + "without\n" + other;
-  const auto otherwise = run(c, kSameArithmetic | kOwnArithmetic, fault);
+  const auto beside = run(c, kSameArithmetic | kOwnArithmetic, fault);
+  const auto otherwise = run(c, kSameArithmetic | kOwnArithmetic | kSameBesideOwn, fault);
+  if (const std::string with = text(*beside, axes, Numbers::exact), without = text(*otherwise, axes, Numbers::exact);
+      with != without)
+    return "with a short cut\n" + with + "without\n" + without;
   if (text(*otherwise, axes, Numbers::exact) == all) return "";
   if (text(*otherwise, axes, Numbers::left_out) != text(*usual, axes, Numbers::left_out))
     return "with short cuts\n" + all + "without\n" + text(*otherwise, axes, Numbers::exact);
@@ -166,9 +173,17 @@ std::string contour(std::uint64_t seed) {
   return text + "M30\n";
 }
 
+// What contours with arcs are compensated by: codes to the left and to the right, and what stands between.
+struct ArcsUnder {
+  std::string_view left;
+  std::string_view right;
+  std::span<const std::string_view> between;
+};
+constexpr ArcsUnder kArcsUnderC{"G41 D1 ", "G42 D1 ", kBetween};
+
 // The same with arcs among the lines, both ways, by their centre and some by their radius: circles, spirals by a
 // rounded end and by a large one, tangent and acute corners, codes where they change or again.
-std::string contour_with_arcs(std::uint64_t seed) {
+std::string contour_with_arcs(std::uint64_t seed, const ArcsUnder& under) {
   Dice dice(seed);
   const auto& plane = kPlanes[seed % 3];
   bool incremental = dice.one_in(4);
@@ -189,7 +204,8 @@ std::string contour_with_arcs(std::uint64_t seed) {
   };
   for (int i = 0; i < 40; ++i) {
     if (dice.one_in(16)) {
-      const std::string_view between = kBetween[static_cast<std::size_t>(dice.below(std::size(kBetween)))];
+      const std::string_view between =
+          under.between[static_cast<std::size_t>(dice.below(static_cast<int>(under.between.size())))];
       text += fmt::format("{}\n", between);
       if (between == "G90" || between == "G91") incremental = between == "G91";
       if (between.starts_with("G0")) in_force = 9;
@@ -213,7 +229,8 @@ std::string contour_with_arcs(std::uint64_t seed) {
       heading = angle;
     }
     to = {round(to[0]), round(to[1])};
-    std::string block = i == 0 ? (dice.below(2) == 0 ? "G41 D1 " : "G42 D1 ") : "";
+    std::string block;
+    if (i == 0) block = dice.below(2) == 0 ? under.left : under.right;
     if (motion + 1 != in_force || dice.one_in(12)) block += codes[motion];
     in_force = motion + 1;
     block += words_to(to);
@@ -238,10 +255,44 @@ TEST(ShortCuts, GiveWhatTheGeneralPathGivesAlongContours) {
     c.section = "fanuc/cutter-compensation-c";
     c.setup = spec::read_setup_toml(std::string(setup), "setup");
     for (std::uint64_t seed = 1; seed <= cases; ++seed)
-      for (const auto make : {contour, contour_with_arcs}) {
-        c.program = make(seed);
+      for (const std::string& program : {contour(seed), contour_with_arcs(seed, kArcsUnderC)}) {
+        c.program = program;
         ASSERT_EQ(broken(c), "") << "seed " << seed << '\n' << c.program;
       }
+  }
+}
+
+constexpr std::string_view kSideBetween[] = {"M08", "F300", "G01", "N77",   "D2",    "D1",  "G00 X0",         "Z5.",
+                                             "G91", "G90",  "Q2",  "G41.2", "G42.2", "B12", "C10. B90\nC90.", "B0"};
+constexpr ArcsUnder kArcsUnderToolSide{"G41.2 D1 ", "G42.2 D1 ", kSideBetween};
+// The tool along the normal of G17, G18 and G19, and the other way.
+constexpr std::string_view kToolAlong[] = {"B0 C0", "B90 C90", "B90 C0"};
+constexpr std::string_view kToolAgainst[] = {"B180 C0", "B-90 C90", "B-90 C0"};
+constexpr std::string_view kSideSetups[] = {
+    R"(control = "fanuc"
+axes = ["X", "Y", "Z", "B", "C"]
+parameters = {19680 = 2, 19681 = 5, 19682 = 3, 19686 = 4, 19687 = 2}
+offsets = {H = {1 = 15}, D = {1 = "0.05", 2 = "0.004"}})",
+    R"(control = "fanuc"
+axes = ["Z", "C", "Y", "X", "B"]
+parameters = {5003 = 1, 5010 = "0.01", 19630 = "0.2", 19680 = 2, 19681 = 2, 19682 = 3, 19686 = 5, 19687 = 2}
+offsets = {H = {1 = 15}, D = {1 = "-0.02", 2 = "3"}})"};
+
+TEST(ShortCuts, GiveWhatTheGeneralPathGivesAlongArcsUnderToolSideCompensation) {
+  constexpr std::uint64_t cases = test::kSanitized ? 100 : 2000;
+  for (const std::string_view setup : kSideSetups) {
+    spec::Case c;
+    c.section = "fanuc/tool-side-compensation";
+    c.setup = spec::read_setup_toml(std::string(setup), "setup");
+    std::uint64_t moves = 0;
+    for (std::uint64_t seed = 1; seed <= cases; ++seed) {
+      const std::string_view tool = (seed % 4 == 0 ? kToolAgainst : kToolAlong)[seed % 3];
+      c.program = fmt::format("G01 F100 {}\n{}", tool, contour_with_arcs(seed, kArcsUnderToolSide));
+      ASSERT_EQ(broken(c), "") << "seed " << seed << '\n' << setup << '\n' << c.program;
+      moves += run(c, 0)->size();
+    }
+    // Most programs run on, though some of their blocks are refused.
+    EXPECT_GE(moves, 10 * cases) << setup;
   }
 }
 
@@ -355,6 +406,103 @@ TEST(ShortCuts, GiveWhatTheGeneralPathGivesUnderLeadingEdgeOffset) {
     }
     // Most programs run on, though some of their blocks are refused.
     EXPECT_GE(moves, 10 * cases) << setup.setup;
+  }
+}
+
+constexpr std::string_view kTipBetween[] = {"M08",
+                                            "F300",
+                                            "G01",
+                                            "N77",
+                                            "G00",
+                                            "G91",
+                                            "G90",
+                                            "X0",
+                                            "G04 P1",
+                                            "G54",
+                                            "G55",
+                                            "G92 X1.",
+                                            "G49\nG43.4 H2",
+                                            "G49\nG43.5 H1 P1",
+                                            "H2",
+                                            "G53 Z200.",
+                                            "G02 X20. Y20. R80.\nG01",
+                                            "G42.2 D1 X3. Y40.\nX60.\nG40 Y3.",
+                                            "G45 X2. D1",
+                                            "X1.1234567"};
+// A head; a table and a mixed machine, with origins and ranges; a head of inclined axes with No. 19738; one whose axes
+// are more than the tool needs.
+constexpr std::string_view kTipSetups[] = {
+    R"(control = "fanuc"
+axes = ["X", "Y", "Z", "B", "C"]
+parameters = {19680 = 2, 19681 = 5, 19682 = 3, 19686 = 4, 19687 = 2}
+offsets = {H = {1 = 100, 2 = "-7.25"}, D = {1 = "4.95"}})",
+    R"(control = "fanuc"
+axes = ["X", "Y", "Z", "A", "C"]
+workpiece = {G54 = {X = 12, C = 15}, G55 = {X = "-3.5", A = 7}}
+parameters = {19680 = 12, 19681 = 4, 19682 = 1, 19686 = 5, 19687 = 3, 19700 = "0.5", 19705 = "-4.25"}
+offsets = {H = {1 = 100, 2 = "-7.25"}, D = {1 = "4.95"}})",
+    R"(control = "fanuc"
+axes = ["X", "Y", "Z", "B", "C"]
+workpiece = {G55 = {B = 7}}
+parameters = {19680 = 21, 19681 = 4, 19682 = 2, 19686 = 5, 19687 = 3, 19711 = "12.5", 19741 = 100, 19742 = -80}
+offsets = {H = {1 = 100, 2 = "-7.25"}, D = {1 = "4.95"}})",
+    R"(control = "fanuc"
+axes = ["X", "Y", "Z", "B", "C"]
+parameters = {19680 = 2, 19681 = 5, 19682 = 3, 19686 = 4, 19687 = 5, 19688 = 45, 19738 = 12, 19739 = 30}
+offsets = {H = {1 = 100, 2 = "-7.25"}, D = {1 = "4.95"}})",
+    R"(control = "fanuc"
+axes = ["X", "Y", "Z", "U", "B", "C", "V"]
+parameters = {19680 = 2, 19681 = 6, 19682 = 3, 19686 = 5, 19687 = 2}
+offsets = {H = {1 = 100, 2 = "-7.25"}, D = {1 = "4.95"}})"};
+
+// Lines under tool center point control, long enough for its short cut to be left and taken again: by rotary words or
+// I J K, with posture control or without, into singular postures and out of them, blocks that turn alone or move
+// nothing, and blocks between that are no lines.
+std::string tip_contour(std::string_view setup, std::uint64_t seed) {
+  Dice dice(seed);
+  const std::string rotary = setup.find("\"A\"") == std::string_view::npos ? "BC" : "AC";
+  const auto any = [&](int most) { return dice.below(2 * most + 1) - most; };
+  bool by_vector = dice.one_in(2);
+  std::string text = fmt::format("G90 G01 F250.5\nX1. {}{}\n{} H{} P{}\n", rotary[0], dice.one_in(2) ? 0 : 20,
+                                 by_vector ? "G43.5" : "G43.4", 1 + dice.below(2), dice.below(2));
+  for (int i = 0; i < 40; ++i) {
+    if (dice.one_in(16)) {
+      const std::string_view between = kTipBetween[static_cast<std::size_t>(dice.below(std::size(kTipBetween)))];
+      text += fmt::format("{}\n", between);
+      if (between.starts_with("G49")) by_vector = between.find("G43.5") != std::string_view::npos;
+    }
+    std::string block = dice.one_in(10) ? "G01 " : "";
+    for (const char letter : std::string_view("XYZ"))
+      if (!dice.one_in(4)) block += fmt::format("{}{:.3f} ", letter, any(60'000) / 1000.0);
+    if (by_vector && !dice.one_in(3)) {
+      std::array<int, 3> tool{any(4), any(4), 1 + dice.below(9)};
+      if (dice.one_in(4)) tool[0] = tool[1] = 0;
+      for (std::size_t k = 0; k < 3; ++k)
+        if (tool[k] != 0 || dice.one_in(2)) block += fmt::format("{}{} ", "IJK"[k], tool[k]);
+    }
+    if (!by_vector)
+      for (const char letter : rotary)
+        if (!dice.one_in(3)) block += fmt::format("{}{} ", letter, dice.one_in(2) ? 15 * any(6) : any(90'000) / 1000.0);
+    if (dice.one_in(10)) block += fmt::format("F{}", 1 + dice.below(900));
+    text += block + '\n';
+  }
+  return text + (dice.one_in(2) ? "G49\nX5.\n" : "") + "M30\n";
+}
+
+TEST(ShortCuts, GiveWhatTheGeneralPathGivesUnderToolCenterPointControl) {
+  constexpr std::uint64_t cases = test::kSanitized ? 40 : 400;
+  for (const std::string_view setup : kTipSetups) {
+    spec::Case c;
+    c.section = "fanuc/tool-posture-control";
+    c.setup = spec::read_setup_toml(std::string(setup), "setup");
+    std::uint64_t moves = 0;
+    for (std::uint64_t seed = 1; seed <= cases; ++seed) {
+      c.program = tip_contour(setup, seed);
+      ASSERT_EQ(broken(c), "") << "seed " << seed << '\n' << setup << '\n' << c.program;
+      moves += run(c, 0)->size();
+    }
+    // Most programs run on, though some of their blocks are refused.
+    EXPECT_GE(moves, 10 * cases) << setup;
   }
 }
 

@@ -43,18 +43,6 @@ DoubleDouble radians_of(const std::array<DoubleDouble, 2>& center, const std::ar
 
 bool is_quarter(const SineCosine<double>& turn) { return turn.sine == 0 || turn.cosine == 0; }
 
-Alarm alarm_of(PosturePlan::Outcome outcome) {
-  switch (outcome) {
-    case PosturePlan::Outcome::unreachable:
-      return alarm::kUnreachable;
-    case PosturePlan::Outcome::refused:
-      return alarm::kSingularPosture;
-    case PosturePlan::Outcome::good:
-      break;
-  }
-  return alarm::kNone;
-}
-
 }  // namespace
 
 Vector3<DoubleDouble> ToolAttitude::fine_origin() const {
@@ -109,7 +97,7 @@ Alarm ToolAttitude::plan_posture(const Words& words, Mask axes, const std::array
   if ((axes & axes_.turning) == 0) {
     posture_.stand(start, block.plan);
   } else {
-    machine_.pose(positions_.programmed(), rounded_angles(), block.plan.end);
+    pose_commanded(block.plan.end);
     posture_.plan(start, block.plan.end, posture_control_, block.plan);
     if (const Alarm a = alarm_of(block.plan.outcome)) return a;
     take_posture(block.plan.end);

@@ -15,13 +15,15 @@
 
 namespace toolcomp::fast {
 
-// Nothing of the modal state and of the positions needs a look before such a block: words count as they are written,
-// the positions of the linear axes are theirs, and no value waits to come into force.
-inline bool usual_words_may_come(const Control& control) {
+// Words count as they are written, the positions of the linear axes are theirs, and no value waits to come into force.
+inline bool usual_positions_may_come(const Control& control) {
   const AxisPositions& positions = control.positions;
   return !control.cutter_value.takes_edited() && !positions.length().pending() && control.units.plain() &&
-         positions.rounded() == 0 && positions.tool_offset().live() == 0 && positions.stale() == 0 &&
-         !control.attitude.plans_tool() &&
+         positions.rounded() == 0 && positions.tool_offset().live() == 0 && positions.stale() == 0;
+}
+// Nothing else of the modal state needs a look before such a block.
+inline bool usual_words_may_come(const Control& control) {
+  return usual_positions_may_come(control) && !control.attitude.plans_tool() &&
          !(control.modal.incremental() && fault(Fault::incremental_from_offset_position));
 }
 inline bool usual_lines_may_come(const Control& control) {

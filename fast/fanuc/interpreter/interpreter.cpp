@@ -9,7 +9,7 @@
 namespace toolcomp::fast {
 
 Interpreter::Interpreter(const spec::Setup& setup, Control& control, const Stages& stages, EventSink& sink)
-    : control_(control), stages_(stages), measurement_(setup), sink_(sink), moves_(&sink) {
+    : control_(control), stages_(stages), measurement_(setup), sink_(sink), moves_(&sink), tip_lines_(control) {
   control_.begin(setup);
   control_.taker = this;
 }
@@ -115,6 +115,8 @@ void Interpreter::block(const spec::Block& block) {
     return other_block(words);
   if (const Alarm a = plain_block(words, on_)) [[unlikely]]
     raise(a);
+  else if (control_.attitude.tip().active() && rest_)
+    tip_lines_.await();
 }
 
 void Interpreter::other_block(const Words& words) {

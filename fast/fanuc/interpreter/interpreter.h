@@ -11,6 +11,7 @@
 #include "fast/basis/event.h"
 #include "fast/fanuc/control/control.h"
 #include "fast/fanuc/control/stage.h"
+#include "fast/fanuc/control/usual_tip_lines.h"
 #include "fast/fanuc/program/words.h"
 #include "fast/fanuc/tool_length_measurement/tool_length_measurement.h"
 #include "spec/language/fanuc/block.h"
@@ -99,6 +100,7 @@ class Interpreter final : public BlockTaker {
   EventSink& sink_;
   EventSink* moves_;  // where uncompensated moves go
   Event move_;        // the next one
+  UsualTipLines tip_lines_;
   // Behind the last block with commands: the stage that was on, and whether all of them rest.
   Stage* on_ = nullptr;
   bool rest_ = true;

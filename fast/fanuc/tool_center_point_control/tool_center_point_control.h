@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "fast/basis/event.h"
 #include "fast/fanuc/tool_center_point_control/fraction_counter.h"
@@ -50,6 +51,13 @@ class ToolCenterPointControl final : public EventSink {
   [[nodiscard]] const TipBlock& before() const { return blocks_[(current_ + blocks_.size() - 1) % blocks_.size()]; }
 
   void on(const Event& event) override;
+
+  // Lines may come as send_line() takes them: on axes X Y Z and those of the machine alone, without samples.
+  [[nodiscard]] bool takes_lines() const { return active_ && !samples() && even_ == 0 && xyz_first_; }
+  // The move of block() as on() completes it: a line that ends `at` X Y Z. False, and nothing is sent: a warning or a
+  // turn belongs to it.
+  [[nodiscard]] bool send_line(std::uint64_t line, const std::optional<std::uint64_t>& n, spec::MoveType type,
+                               const std::optional<double>& feed, const Vector3<double>& at);
 
  private:
   [[nodiscard]] Vector3<double> point_of(const Event& event) const;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 
+#include "fast/basis/alarm.h"
 #include "fast/fanuc/tool_posture_control/posture_arc.h"
 #include "fast/fanuc/tool_posture_control/posture_motion.h"
 #include "fast/kinematics/machine.h"
@@ -29,6 +30,19 @@ struct PosturePlan {
   Pose end;                     // what the next block starts from
   PostureMotion motion;         // between
 };
+
+// What ends the run by a plan.
+inline Alarm alarm_of(PosturePlan::Outcome outcome) {
+  switch (outcome) {
+    case PosturePlan::Outcome::unreachable:
+      return alarm::kUnreachable;
+    case PosturePlan::Outcome::refused:
+      return alarm::kSingularPosture;
+    case PosturePlan::Outcome::good:
+      break;
+  }
+  return alarm::kNone;
+}
 
 // Plans blocks; keeps nothing between them. The machine is frozen in the mode.
 class ToolPostureControl {
