@@ -19,6 +19,7 @@
 #include "certify/event_fields.h"
 #include "certify/evidence.h"
 #include "certify/failure_groups.h"
+#include "certify/long_program.h"
 #include "certify/path_svg.h"
 #include "certify/selection.h"
 #include "certify/self_check.h"
@@ -27,6 +28,7 @@
 #include "corpus/sha256.h"
 #include "fuzz/gen/generator.h"
 #include "fuzz/oracle/control.h"
+#include "model/basis/clause_counts.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/fanuc/without_effect.h"
 #include "spec/language/input_error.h"
@@ -260,22 +262,67 @@ class Campaign {
     const Capabilities& capabilities = certificate_.subject;
     if (std::string why = why_not_applicable(capabilities, c); !why.empty())
       return told(c, nullptr, not_asked(c, input.origin, Result::not_applicable, std::move(why)));
+    if (is_long(c)) return judge_long(work, input, index, faults);
     const fuzz::ModelRun run = fuzz::run_model(c);
+    const auto answer = ask(work, c, index, faults);
+    if (!answer) return std::nullopt;
+    return judge(work, input, index, faults, run, *answer);
+  }
+
+  // None: while all is being ended.
+  std::optional<Answer> ask(Work& work, const spec::Case& c, std::size_t index, const Faults& faults) {
     // A controller that has hung before is not waited for that long again.
     std::optional<std::chrono::milliseconds> patience;
     if (faults.hangs > 0) patience = short_patience(work.subject, options_.timeout);
-    const Answer answer = work.subject.run(c, patience);
+    Answer answer = work.subject.run(c, patience);
     if (!why_to_stop().empty()) return std::nullopt;
     work.asked.add(work.subject, index);
+    return answer;
+  }
+
+  // With all events at hand.
+  CaseResult judge(Work& work, const CaseInput& input, std::size_t index, Faults& faults, const fuzz::ModelRun& run,
+                   const Answer& answer) {
+    const spec::Case& c = input.c;
+    const Capabilities& capabilities = certificate_.subject;
     Judgement j = judge_answer(capabilities, c, run, answer);
     const FailureKey key = key_of(c, j);
     faults.count(key, j.result == Result::differs && is_fault(key));
     if (j.result == Result::differs) keep(work, key, {c, j, events_in_double(answer), {}}, index);
     CaseResult r = asked_and_judged(c, input.origin, run, answer, std::move(j));
-    if (index < kMostPictures && r.origin == Origin::own) r.picture = picture_of(c, run);
-    if (r.origin == Origin::own && c.setup.control == spec::Control::fanuc) r.without_effect = words_without_effect(c);
+    if (r.origin == Origin::own) say_of_own(r, c, index, &c, &run);
     add(work.clauses, run.recorder.counts());
     return told(c, &answer, std::move(r));
+  }
+
+  // What is said of programs of the user's own alone; `drawn` with its run: of which there is a picture.
+  static void say_of_own(CaseResult& r, const spec::Case& c, std::size_t index, const spec::Case* drawn,
+                         const fuzz::ModelRun* run) {
+    if (index < kMostPictures && drawn != nullptr) r.picture = picture_of(*drawn, *run);
+    if (c.setup.control == spec::Control::fanuc) r.without_effect = words_without_effect(c);
+  }
+
+  // In pieces, as far as that is enough.
+  std::optional<CaseResult> judge_long(Work& work, const CaseInput& input, std::size_t index, Faults& faults) {
+    const spec::Case& c = input.c;
+    const bool here = work.subject.is_fast_engine();
+    std::optional<Answer> answer;
+    if (!here && !(answer = ask(work, c, index, faults))) return std::nullopt;
+    const std::optional<Beginning> beginning = beginning_of(c);
+    auto whole =
+        certify::judge_long(certificate_.subject, c, here ? nullptr : &*answer, beginning, options_.processors);
+    if (!whole) {
+      const fuzz::ModelRun run = fuzz::run_model(c);
+      if (!answer && !(answer = ask(work, c, index, faults))) return std::nullopt;
+      return judge(work, input, index, faults, run, *answer);
+    }
+    if (here) answer.emplace();
+    faults.count({}, false);
+    CaseResult r = asked_and_judged(c, input.origin, whole->fields, *answer, std::move(whole->judgement));
+    if (r.origin == Origin::own)
+      say_of_own(r, c, index, beginning ? &beginning->c : nullptr, beginning ? &beginning->run : nullptr);
+    add(work.clauses, whole->clauses);
+    return told(c, &*answer, std::move(r));
   }
 
   CaseResult told(const spec::Case& c, const Answer* answer, CaseResult result) {

@@ -36,11 +36,18 @@ CaseResult not_asked(const spec::Case& c, Origin origin, Result result, std::str
 
 CaseResult asked_and_judged(const spec::Case& c, Origin origin, const fuzz::ModelRun& run, const Answer& answer,
                             Judgement judgement) {
+  // Those of the fast engine are all there.
+  const bool needed = std::holds_alternative<TextEvents>(answer.result);
+  return asked_and_judged(c, origin, needed ? fields_of(run) : spec::FieldSet(), answer, std::move(judgement));
+}
+
+CaseResult asked_and_judged(const spec::Case& c, Origin origin, const spec::FieldSet& fields, const Answer& answer,
+                            Judgement judgement) {
   CaseResult r = not_asked(c, origin, judgement.result, std::move(judgement.why));
   r.sent = answer.sent;
   // What is missing where something differs is part of that finding.
   const bool whole = has_verdict(r) && !judgement.verdict.beyond;
-  if (whole && std::holds_alternative<TextEvents>(answer.result)) r.due = fields_of(run);
+  if (whole && std::holds_alternative<TextEvents>(answer.result)) r.due = fields;
   if (r.result == Result::differs) r.key = key_of(c, judgement);
   r.setup = spec::write_setup_json(c.setup);
   r.verdict = std::move(judgement.verdict);
@@ -71,15 +78,6 @@ void add(SectionResult& s, const CaseResult& r) {
   s.bias.add(r.verdict.bias);
   s.worst_ulp = std::max(s.worst_ulp, r.verdict.worst_ulp);
   s.worst_um = std::max(s.worst_um, r.verdict.worst_um);
-}
-
-void add(std::vector<model::ClauseCount>& sum, std::span<const model::ClauseCount> counts) {
-  for (std::size_t i = 0; i < sum.size(); ++i) {
-    sum[i].reached += counts[i].reached;
-    sum[i].positive += counts[i].positive;
-    sum[i].negative += counts[i].negative;
-    sum[i].tie += counts[i].tie;
-  }
 }
 
 std::vector<NeverSent> never_sent(const std::vector<std::string>& announced, const std::vector<CaseResult>& results) {

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <set>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,7 +38,9 @@ inline constexpr std::string_view kLeftOut = "left out after repeated faults";
 
 // A case that is not asked.
 CaseResult not_asked(const spec::Case& c, Origin origin, Result result, std::string why);
-// A case that was, with its judgement.
+// A case that was, with its judgement; `fields`: of the model's events.
+CaseResult asked_and_judged(const spec::Case& c, Origin origin, const spec::FieldSet& fields, const Answer& answer,
+                            Judgement judgement);
 CaseResult asked_and_judged(const spec::Case& c, Origin origin, const fuzz::ModelRun& run, const Answer& answer,
                             Judgement judgement);
 
@@ -48,8 +49,6 @@ CaseResult asked_and_judged(const spec::Case& c, Origin origin, const fuzz::Mode
 Result counted(const CaseResult& result);
 // One case more in the sums of its section.
 void add(SectionResult& section, const CaseResult& result);
-// One run more in the counts of the clauses.
-void add(std::vector<model::ClauseCount>& sum, std::span<const model::ClauseCount> counts);
 
 // Fields that were announced and due, and that no answer had.
 struct NeverSent {

@@ -6,6 +6,7 @@
 #include <system_error>
 #include <variant>
 
+#include "certify/long_program.h"
 #include "certify/subject.h"
 #include "formal/engine.h"
 #include "fuzz/oracle/trial.h"
@@ -15,19 +16,17 @@
 namespace toolcomp::certify {
 namespace {
 
-// Laws are asked with all events at hand: of programs up to this size, and not of what can be read only once.
-constexpr std::uintmax_t kLargestForLaws = 1 << 20;  // bytes
-
 std::uintmax_t size_of(const input::Program& program) {
   if (program.is_case()) return program.as_case().program.size();
   std::error_code unknown;
   const std::uintmax_t size = std::filesystem::file_size(program.path(), unknown);
-  return unknown ? kLargestForLaws + 1 : size;
+  return unknown ? kLargestAtOnce + 1 : size;
 }
 
+// Laws are asked with all events at hand, and not of what can be read only once.
 std::uint64_t ask_laws(const input::Program& program, fuzz::Verdict& verdict) {
   if (verdict.outcome != fuzz::Outcome::agrees && verdict.outcome != fuzz::Outcome::nothing_judged) return 0;
-  if (program.text().once || size_of(program) > kLargestForLaws) return 0;
+  if (program.text().once || size_of(program) > kLargestAtOnce) return 0;
   const spec::Case c = program.as_case();
   return fuzz::hold_laws(c, fuzz::run_model(c), verdict);
 }

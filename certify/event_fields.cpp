@@ -29,12 +29,7 @@ void add_space(FieldSet& fields, const spec::SpaceCompensation<exact::Real>& spa
 
 }  // namespace
 
-void add(FieldSet& fields, const FieldSet& more) {
-  for (std::size_t i = 0; i < spec::kFieldNames.size(); ++i) {
-    const auto field = static_cast<Field>(i);
-    if (more.has(field)) fields.add(field);
-  }
-}
+void add(FieldSet& fields, const FieldSet& more) { fields.add(more); }
 
 FieldSet fields_of(const model::Event& event) {
   FieldSet fields{Field::kind, Field::line};

@@ -163,18 +163,21 @@ Judgement judge_answer(const Capabilities& capabilities, const spec::Case& c, co
   if (const auto* events = std::get_if<ExactEvents>(&answer.result)) return exactly(c, run, *events);
   if (answer.missing) return missing_field(*answer.missing, run);
   const fuzz::JudgeOptions options{capabilities.fields, capabilities.resolution.numbers()};
+  const auto* const text = std::get_if<TextEvents>(&answer.result);
+  fuzz::Verdict verdict = text != nullptr ? fuzz::judge(c, run, *text, options)
+                                          : fuzz::judge(c, run, std::get<FastEvents>(answer.result), options);
+  fuzz::hold_laws(c, run, verdict);
+  Judgement j = judged(std::move(verdict));
+  // A difference in an event that rests on no clause of its own belongs to what was applied before it.
+  if (j.difference && !j.difference->clause) j.difference->clause = last_clause(run, j.difference->event);
+  return j;
+}
+
+Judgement judged(fuzz::Verdict verdict) {
   Judgement j;
-  if (const auto* text = std::get_if<TextEvents>(&answer.result))
-    j.verdict = fuzz::judge(c, run, *text, options);
-  else
-    j.verdict = fuzz::judge(c, run, std::get<FastEvents>(answer.result), options);
-  fuzz::hold_laws(c, run, j.verdict);
+  j.verdict = std::move(verdict);
   j.result = result_of(j.verdict.outcome);
-  if (j.result == Result::differs) {
-    j.difference = j.verdict.difference;
-    // A difference in an event that rests on no clause of its own belongs to what was applied before it.
-    if (j.difference && !j.difference->clause) j.difference->clause = last_clause(run, j.difference->event);
-  }
+  if (j.result == Result::differs) j.difference = j.verdict.difference;
   if (j.result == Result::undecided) j.why = j.verdict.undecided;
   if (j.result == Result::agrees && too_many_wide(j.verdict.values, j.verdict.wide)) {
     j.result = Result::partly_judged;

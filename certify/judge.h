@@ -63,5 +63,7 @@ Judgement judge_case(Subject& subject, const Capabilities& capabilities, const s
 // The same with the answer given.
 Judgement judge_answer(const Capabilities& capabilities, const spec::Case& c, const fuzz::ModelRun& run,
                        const Answer& answer);
+// What a verdict of the oracle comes to; the clause of a difference is the oracle's.
+Judgement judged(fuzz::Verdict verdict);
 
 }  // namespace toolcomp::certify

@@ -13,6 +13,7 @@ namespace {
 
 class BuiltInEngine final : public Subject {
  public:
+  [[nodiscard]] bool is_fast_engine() const override { return true; }
   std::variant<Capabilities, Fault> capabilities() override {
     Capabilities c;
     c.name = "toolcomp fast engine";

@@ -70,6 +70,8 @@ class Subject {
   virtual std::variant<Capabilities, Fault> capabilities() = 0;
   // The subject's answer to a case. `patience` shortens the time-out.
   virtual Answer run(const spec::Case& c, std::optional<std::chrono::milliseconds> patience = {}) = 0;
+  // Whether it is the fast engine in this process.
+  [[nodiscard]] virtual bool is_fast_engine() const { return false; }
   // The longest time an answer took so far.
   [[nodiscard]] virtual std::chrono::milliseconds slowest() const { return std::chrono::milliseconds(0); }
   // Processes started so far: what one has been told, the next does not know. 0 for ever: there is none.

@@ -10,6 +10,7 @@
 #include <iostream>
 #include <optional>
 #include <stdexcept>
+#include <thread>
 
 #include "certify/adapter.h"
 #include "certify/adapter_programs.h"
@@ -98,15 +99,19 @@ void say_how_the_path_ends(const certify::TraceResult& result, const std::string
 
 // The formal specification of this command.
 constexpr std::string_view kSpecification = "spec";
+constexpr std::string_view kFastEngine = "fast";  // in this process
 
 // A program that speaks the protocol, as a shell is told.
 std::string command_of(const std::string& controller) {
+  if (controller == kFastEngine) return {};
   if (controller != kSpecification) return controller;
   return certify::shell_quoted(fs::read_symlink("/proc/self/exe").string()) + " serve --engine spec";
 }
 
+bool is_ours(const std::string& controller) { return controller == kSpecification || controller == kFastEngine; }
+
 std::optional<certify::Adapter> adapter_named(const CertifyOptions& options) {
-  if (options.controller == kSpecification) return std::nullopt;
+  if (is_ours(options.controller)) return std::nullopt;
   if (!certify::is_adapter_name(options.controller)) return std::nullopt;
   return certify::find_adapter(options.controller, certify::adapter_folders(options.adapters));
 }
@@ -223,7 +228,7 @@ void print_widths(const certify::Certificate& certificate) {
 int certify(const CertifyOptions& options) {
   if (options.controller.empty() == options.trace.empty()) usage("name a --controller or a --trace");
   const auto adapter = adapter_named(options);
-  if (!adapter && options.controller != kSpecification) expect_no_slip(options.controller, options.adapters);
+  if (!adapter && !is_ours(options.controller)) expect_no_slip(options.controller, options.adapters);
   if (options.packages) {
     if (options.controller == kSpecification) fmt::print("coq\nocaml-nox\nocaml-findlib\n");
     if (adapter)
@@ -235,6 +240,8 @@ int certify(const CertifyOptions& options) {
     refuse_evidence(options, "a trace has no answers to keep: the file of the recording is the evidence");
     return certify_trace(options);
   }
+  if (options.controller == kFastEngine)
+    refuse_evidence(options, "the fast engine in this process gives no answers to keep");
   Evidence evidence(options);
 
   certify::CampaignOptions campaign;
@@ -250,6 +257,7 @@ int certify(const CertifyOptions& options) {
   }
   campaign.sections = options.sections;
   campaign.seed = options.seed;
+  campaign.processors = options.jobs != 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());
   campaign.accepted_resolution = options.accept_resolution;
   campaign.timeout = std::chrono::milliseconds(std::llround(options.timeout * 1000));
   for (spec::Case& c : read_inputs(options)) campaign.cases.push_back({std::move(c), certify::Origin::own});

@@ -20,7 +20,9 @@ void define_certify(CommandLine& line) {
   take(sub, "inputs", options->inputs, "FILE",
        "Cases, files of cases (.jsonl) and programs to judge; without them, the golden corpus and generated cases");
   take(sub, "--controller", options->controller, "CONTROLLER",
-       "Command that speaks the controller protocol, or the name of an adapter (docs/adapters.md)");
+       "Command that speaks the controller protocol, or the name of an adapter "
+       "(docs/adapters.md); fast: the fast engine in "
+       "this process");
   take(sub, "--adapters", options->adapters, "FOLDER", "Folder of adapters, searched first (repeatable)");
   sub->add_flag("--packages", options->packages,
                 "Print the Debian packages that the adapter needs, and do nothing else");
@@ -50,6 +52,7 @@ void define_certify(CommandLine& line) {
   take(sub, "--operator", options->operated, "NAME", "Who certifies, for the first page of the report");
   take(sub, "--serial", options->serial, "TEXT", "Serial number of the controller, for the first page of the report");
   take_samples(sub, options->samples);
+  take_jobs(sub, options->jobs);
 }
 
 void define_verify(CommandLine& line) {

@@ -81,6 +81,7 @@ struct CertifyOptions {
   bool widths = false;                   // print how wide what the policy granted is
   std::string accept_resolution;         // a decimal
   std::optional<std::uint32_t> samples;  // of the cases and programs named
+  unsigned jobs = 0;                     // processors for one long program; 0: all
   std::vector<std::string> adapters;     // folders of adapters
   bool packages = false;                 // print those the adapter needs, and nothing else
   std::vector<std::string> altered;      // "PARAMETER=VALUE": told to the judge of a recorded controller alone

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "certify/bundle/verify.h"
+#include "model/basis/clause_counts.h"
 
 #include <fmt/format.h>
 

@@ -48,7 +48,7 @@ Verdict judge_passes(const StreamedProgram& program, const spec::Setup& setup, s
     std::optional<stream::Pass<Control>> pass;
     Verdict v;
     try {
-      pass.emplace(setup, samples, task.choices, kBlocksInEpoch,
+      pass.emplace(Rules(setup, {}, {}), setup, samples, task.choices, kBlocksInEpoch,
                    [&](fast::EventSink& sink) { return Control::fast(setup, sink, samples); });
       v = run(*pass, Control::reader(program.open(), setup, program.name, program.called_program),
               first ? nullptr : on_block);

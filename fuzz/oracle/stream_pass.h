@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -14,6 +16,7 @@
 #include "fuzz/oracle/control.h"
 #include "fuzz/oracle/pairing.h"
 #include "fuzz/oracle/verdict.h"
+#include "model/basis/clause_counts.h"
 #include "spec/language/naming_clause.h"
 
 namespace toolcomp::fuzz::stream {
@@ -45,20 +48,22 @@ struct Expected final : spec::EventSink<model::Real> {
   PositionErrors positions;
 };
 
-struct Actual final : spec::EventSink<double> {
-  void on(const fast::Event& event) override { events.push_back(event); }
-  std::deque<fast::Event> events;
+template <class Number>
+struct Actual final : spec::EventSink<Number> {
+  void on(const spec::Event<Number>& event) override { events.push_back(event); }
+  std::deque<spec::Event<Number>> events;
 };
 
-// One pass. Decisions of the current and the previous epoch are kept. `Fast`: the fast engine, or what it has given.
-template <class Control, class Fast = typename Control::Fast>
+// One pass. Decisions of the current and the previous epoch are kept. `Fast`: the fast engine, or what it, or a
+// controller, has given; `Number`: double, or exact::Rational of a controller.
+template <class Control, class Fast = typename Control::Fast, class Number = double>
 class Pass {
  public:
   // `fast`: makes it, given where its events go. `epoch`: blocks between two fresh recorders.
   template <class MakeFast>
-  Pass(const spec::Setup& setup, std::uint32_t samples, const Choices& choices, std::uint64_t epoch,
+  Pass(Rules rules, const spec::Setup& setup, std::uint32_t samples, const Choices& choices, std::uint64_t epoch,
        const MakeFast& fast)
-      : rules_(setup, {}, {}),
+      : rules_(std::move(rules)),
         pairing_(rules_, setup, &facts_),
         choices_(choices),
         blocks_in_epoch_(epoch),
@@ -145,6 +150,7 @@ class Pass {
   }
 
   void count(const model::Recorder& recorder) {
+    model::add(clauses_, recorder.counts());
     verdict_.decisions += recorder.decision_count();
     for (const model::Decision& d : recorder.decisions())
       if (rules_.is_near_tie(d, policy::kDoubleBand, expected_.positions)) ++verdict_.near_ties;
@@ -161,7 +167,9 @@ class Pass {
   // Compares while both sides have an event and the model's next `window` events are known.
   void compare_pairs(std::size_t window) {
     while (!done() && !expected_.events.empty() && !actual_.events.empty() && expected_.events.size() > window) {
-      if (expected_.events.front().kind == EventKind::undecided && !left_open(expected_.events.front())) {
+      // What a controller does where a case is left open is not known.
+      const bool known = std::is_same_v<Number, double> && left_open(expected_.events.front());
+      if (expected_.events.front().kind == EventKind::undecided && !known) {
         undecided_ = true;
         return;
       }
@@ -172,6 +180,7 @@ class Pass {
         return;
       }
       ++compared_;
+      if (agreed_) agreed_(expected_.events.front());
       expected_.events.pop_front();
       actual_.events.pop_front();
     }
@@ -210,7 +219,7 @@ class Pass {
     d.kind = extra ? "extra event" : "missing event";
     d.field = "event";
     if (extra) {
-      const fast::Event& event = actual_.events[expected_.events.size()];
+      const spec::Event<Number>& event = actual_.events[expected_.events.size()];
       d.line = event.line;
       d.expected = "no more events";
       d.actual = describe(event);
@@ -227,7 +236,7 @@ class Pass {
 
   Rules rules_;
   ProgramFacts facts_;
-  Pairing<double> pairing_;
+  Pairing<Number> pairing_;
   const Choices& choices_;
   std::uint64_t blocks_in_epoch_;
   std::uint64_t blocks_ = 0;
@@ -237,11 +246,13 @@ class Pass {
   std::uint64_t epoch_ = 0;
   std::pair<std::uint64_t, std::uint64_t> starts_;  // first lines of the epoch before and of this one
   Expected expected_;
-  Actual actual_;
+  Actual<Number> actual_;
   typename Control::Model model_;
   Fast fast_;
   std::vector<model::Event> window_;
   Tally tally_;
+  std::vector<model::ClauseCount> clauses_{spec::kClauseCount};  // of the recorders counted
+  std::function<void(const model::Event&)> agreed_;              // called with every event that has agreed
   std::size_t compared_ = 0;
   bool undecided_ = false;
   Verdict verdict_;

@@ -70,6 +70,7 @@ class FieldSet {
   }
   [[nodiscard]] bool has(Field field) const { return set_[static_cast<std::size_t>(field)]; }
   void add(Field field) { set_.set(static_cast<std::size_t>(field)); }
+  void add(const FieldSet& more) { set_ |= more.set_; }
   [[nodiscard]] bool empty() const { return set_.none(); }
   friend bool operator==(const FieldSet&, const FieldSet&) = default;
 

@@ -3,21 +3,27 @@
 // Work in pieces gives what one thread gives: any size of the pieces, any number of threads, right and wrong guesses.
 #include "fuzz/parallel/in_pieces.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "certify/event_fields.h"
 #include "corpus/contour.h"
 #include "corpus/flank.h"
 #include "corpus/freeform.h"
 #include "fuzz/gen/encode.h"
 #include "fuzz/gen/generator.h"
 #include "fuzz/parallel/judge_in_pieces.h"
+#include "spec/language/event_map.h"
+#include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
 #include "tests/sanitized.h"
 
@@ -230,6 +236,103 @@ TEST(InPieces, TheTestsFindAPartOfTheStateThatIsNotCompared) {
   EXPECT_NE(differences(judge_in_pieces(streamed(c), c.setup, 0, options), one), "");
 }
 
+// The fast engine's events as a controller sends them.
+std::vector<spec::TextEvent> as_texts(const spec::Case& c) {
+  std::vector<spec::TextEvent> texts;
+  for (const fast::Event& event : run_fast(c))
+    texts.push_back(spec::map_numbers<spec::NumberText>(
+        event, [](double number) { return spec::NumberText{fmt::format("{}", number), {}, {}}; }));
+  return texts;
+}
+
+void fields_of(spec::FieldSet& fields, const model::Event& event) { fields.add(certify::fields_of(event)); }
+
+// Of the whole case, with all events at hand; nothing where agreement_in_pieces() gives nothing.
+std::optional<Agreed> agreement_at_once(const spec::Case& c, const std::vector<spec::TextEvent>* texts) {
+  const ModelRun run = run_model(c);
+  Agreed whole{texts != nullptr ? judge(c, run, *texts) : judge(c, run, run_fast(c)), {run.recorder.counts(), {}}};
+  for (const model::Event& event : run.events)
+    if (texts != nullptr) fields_of(whole.counted.fields, event);
+  const bool plain = (whole.verdict.outcome == Outcome::agrees || whole.verdict.outcome == Outcome::nothing_judged) &&
+                     whole.verdict.ties == 0;
+  const auto undecided = [](const model::Event& event) { return event.kind == spec::EventKind::undecided; };
+  if (!plain || (texts != nullptr && (run.beyond || std::ranges::any_of(run.events, undecided)))) return std::nullopt;
+  return whole;
+}
+
+std::string counts(const std::vector<model::ClauseCount>& clauses) {
+  std::string text;
+  for (const model::ClauseCount& c : clauses)
+    text += fmt::format("{},{},{},{} ", c.reached, c.positive, c.negative, c.tie);
+  return text;
+}
+
+// What certify says of a long program is what is said of it as a whole, of the engine and of a controller.
+TEST(InPieces, AgreeAsWithAllEventsAtHand) {
+  constexpr std::uint64_t seeds = test::random_cases(40);
+  std::size_t agreed = 0;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed)
+    for (const std::string_view section : sections()) {
+      SeededSource source(seed);
+      const spec::Case c = generate(section, Mode::directed, source, 60);
+      JudgeInPieces options;
+      options.jobs = 1 + static_cast<unsigned>(seed % 3);
+      options.epoch = 1 + source.below(8);
+      options.epochs_in_piece = 1 + source.below(3);
+      options.lead = source.below(8);
+      std::vector<spec::TextEvent> texts;
+      try {
+        texts = as_texts(c);
+      } catch (const spec::InputError&) {
+        continue;
+      }
+      for (const bool controller : {false, true}) {
+        const auto whole = agreement_at_once(c, controller ? &texts : nullptr);
+        const auto pieces =
+            controller ? agreement_in_pieces(c, texts, {}, fields_of, options) : agreement_in_pieces(c, options);
+        EXPECT_TRUE(whole || !pieces) << encode(c);
+        if (!pieces || !whole) continue;
+        ++agreed;
+        EXPECT_EQ(differences(pieces->verdict, whole->verdict), "") << section << " seed " << seed << '\n' << encode(c);
+        EXPECT_EQ(counts(pieces->counted.clauses), counts(whole->counted.clauses)) << encode(c);
+        EXPECT_EQ(pieces->counted.fields, whole->counted.fields) << encode(c);
+      }
+    }
+  EXPECT_GT(agreed, seeds * sections().size());
+}
+
+// An event moved, left out or doubled is no agreement.
+TEST(InPieces, DoNotAgreeWithAnotherList) {
+  const corpus::Contour contour = corpus::make_contour({.blocks = 400});
+  spec::Case c;
+  c.setup = spec::read_setup_toml(contour.setup, "setup");
+  c.program = contour.program;
+  JudgeInPieces options;
+  options.jobs = 2;
+  options.epoch = 32;
+  options.epochs_in_piece = 2;
+  const std::vector<spec::TextEvent> texts = as_texts(c);
+  const auto agrees = [&](const std::vector<spec::TextEvent>& events) {
+    return agreement_in_pieces(c, events, {}, fields_of, options).has_value();
+  };
+  EXPECT_TRUE(agrees(texts));
+  for (const std::size_t at : {std::size_t{0}, std::size_t{3}, texts.size() / 2, texts.size() - 1}) {
+    std::vector<spec::TextEvent> fewer = texts;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(at));
+    EXPECT_FALSE(agrees(fewer)) << at;
+    std::vector<spec::TextEvent> more = texts;
+    more.insert(more.begin() + static_cast<std::ptrdiff_t>(at), texts[at]);
+    EXPECT_FALSE(agrees(more)) << at;
+    std::vector<spec::TextEvent> bad = texts;
+    bad[at].axes.set(0, {"1.2.3", {}, {}});
+    EXPECT_FALSE(agrees(bad)) << at;
+    std::vector<spec::TextEvent> off = texts;
+    if (!off[at].axes.has(0)) continue;
+    off[at].axes.set(0, {fmt::format("{}", std::stod(off[at].axes[0].v) + 0.001), {}, {}});
+    EXPECT_FALSE(agrees(off)) << at;
+  }
+}
+
 // Programs of real length are divided: no guess about them is wrong, with compensation on from their beginning to their
 // end, in passes with start-up and cancel, and in space.
 TEST(InPieces, GuessRightInUsualPrograms) {
@@ -251,6 +354,9 @@ TEST(InPieces, GuessRightInUsualPrograms) {
     const Verdict one = judge_stream(streamed(c), c.setup);
     EXPECT_EQ(one.outcome, Outcome::agrees);
     EXPECT_EQ(differences(judge_in_pieces(streamed(c), c.setup, 0, options), one), "");
+    EXPECT_EQ(wrong, 0U) << c.program.substr(0, 200);
+    const auto agreed = [&] { return agreement_in_pieces(c, as_texts(c), {}, fields_of, options); };
+    ASSERT_TRUE(agreed());
     EXPECT_EQ(wrong, 0U) << c.program.substr(0, 200);
   }
 }

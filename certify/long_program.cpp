@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "certify/long_program.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "certify/event_fields.h"
+#include "fuzz/oracle/trial.h"
+#include "fuzz/parallel/judge_in_pieces.h"
+#include "spec/language/input_error.h"
+
+namespace toolcomp::certify {
+namespace {
+
+constexpr std::size_t kBeginning = 1 << 16;  // bytes
+
+bool breaks_a_law(const Beginning& beginning) {
+  fuzz::Verdict verdict;
+  fuzz::hold_laws(beginning.c, beginning.run, verdict);
+  return verdict.outcome == fuzz::Outcome::differs;
+}
+
+std::optional<fuzz::Agreed> agreement(const Capabilities& capabilities, const spec::Case& c, const Answer* answer,
+                                      unsigned processors) {
+  fuzz::JudgeInPieces pieces;
+  pieces.jobs = processors;
+  if (answer == nullptr) return fuzz::agreement_in_pieces(c, pieces);
+  const auto* const events = std::get_if<TextEvents>(&answer->result);
+  if (events == nullptr || answer->missing || !meets_minimum(capabilities)) return std::nullopt;
+  const auto fields = [](spec::FieldSet& to, const model::Event& event) { to.add(fields_of(event)); };
+  return fuzz::agreement_in_pieces(c, *events, {capabilities.fields, capabilities.resolution.numbers()}, fields,
+                                   pieces);
+}
+
+}  // namespace
+
+std::optional<Beginning> beginning_of(const spec::Case& c) {
+  const std::size_t end = c.program.rfind('\n', kBeginning);
+  if (end == std::string::npos) return std::nullopt;
+  Beginning beginning;
+  // All of the case but its program, which is long.
+  beginning.c.section = c.section;
+  beginning.c.dialect = c.dialect;
+  beginning.c.setup = c.setup;
+  beginning.c.samples = c.samples;
+  beginning.c.program = c.program.substr(0, end + 1);
+  beginning.lines = static_cast<std::size_t>(std::ranges::count(beginning.c.program, '\n'));
+  beginning.c.id = c.id + ", lines 1 to " + std::to_string(beginning.lines);
+  try {
+    beginning.run = fuzz::run_model(beginning.c);
+  } catch (const spec::InputError&) {
+    return std::nullopt;
+  }
+  // It may call or go to what stands behind it.
+  const auto& events = beginning.run.events;
+  if (!events.empty() && events.back().kind == spec::EventKind::alarm) return std::nullopt;
+  return beginning;
+}
+
+std::optional<LongProgram> judge_long(const Capabilities& capabilities, const spec::Case& c, const Answer* answer,
+                                      const std::optional<Beginning>& beginning, unsigned processors) {
+  if (beginning && breaks_a_law(*beginning)) return std::nullopt;
+  auto agreed = agreement(capabilities, c, answer, processors);
+  if (!agreed) return std::nullopt;
+  return LongProgram{judged(std::move(agreed->verdict)), std::move(agreed->counted.clauses), agreed->counted.fields};
+}
+
+}  // namespace toolcomp::certify

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// program: pieces
+// Long programs in a campaign: one report, whatever the number of processors, and what a short one would get.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "certify/campaign.h"
+#include "certify/event_fields.h"
+#include "certify/long_program.h"
+#include "certify/report.h"
+#include "corpus/contour.h"
+#include "corpus/freeform.h"
+#include "fuzz/oracle/verdict.h"
+#include "spec/language/byte_source.h"
+#include "spec/language/event_map.h"
+#include "spec/language/setup_format.h"
+
+namespace toolcomp::certify {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A controller that computes as the fast engine does, and says so in decimals; or one that is off in one event.
+class Texts final : public Subject {
+ public:
+  explicit Texts(bool wrong) : wrong_(wrong) {}
+  std::variant<Capabilities, Fault> capabilities() override {
+    return std::get<Capabilities>(built_in_engine()->capabilities());
+  }
+  Answer run(const spec::Case& c, std::optional<std::chrono::milliseconds> /*patience*/) override {
+    TextEvents texts;
+    Answer answer;
+    for (const fast::Event& event : fuzz::run_fast(c))
+      texts.push_back(spec::map_numbers<spec::NumberText>(
+          event, [](double number) { return spec::NumberText{fmt::format("{}", number), {}, {}}; }));
+    for (const model::Event& event : fuzz::run_model(c).events) answer.sent.add(fields_of(event));
+    if (wrong_ && !texts.empty() && texts.back().axes.has(0))
+      texts.back().axes.set(0, {fmt::format("{}", std::stod(texts.back().axes[0].v) + 1), {}, {}});
+    answer.result = std::move(texts);
+    return answer;
+  }
+
+ private:
+  bool wrong_;
+};
+
+enum class Judged : std::uint8_t { here, controller };
+
+spec::Case long_case() {
+  const corpus::Freeform freeform = corpus::make_freeform({.blocks = 9500});
+  spec::Case c;
+  c.id = "long";
+  c.dialect = "klartext";
+  c.setup = spec::read_setup_toml(freeform.setup, "setup");
+  c.program = freeform.program;
+  return c;
+}
+
+CampaignOptions options_of(const spec::Case& c, Judged judged, unsigned processors) {
+  CampaignOptions options;
+  options.cases = {{c, Origin::own}};
+  options.generated = 0;
+  options.processors = processors;
+  if (judged != Judged::here) options.subject = [] { return std::make_unique<Texts>(false); };
+  return options;
+}
+
+// All files of a report, one behind another.
+std::string report_of(const Certificate& certificate) {
+  const fs::path folder = fs::temp_directory_path() / fmt::format("toolcomp_long_programs_{}", ::getpid());
+  fs::remove_all(folder);
+  write_report(certificate, folder.string());
+  std::string bytes;
+  for (const char* name : {"certificate.json", "certificate.sarif", "index.html", "junit.xml"})
+    bytes += spec::read_file((folder / name).string());
+  fs::remove_all(folder);
+  return bytes;
+}
+
+TEST(LongPrograms, HaveTheSameReportOfOneProcessorAndOfTwo) {
+  const spec::Case c = long_case();
+  ASSERT_TRUE(is_long(c));
+  for (const Judged judged : {Judged::here, Judged::controller}) {
+    const Certificate one = certify::certify(options_of(c, judged, 1));
+    const Certificate two = certify::certify(options_of(c, judged, 2));
+    ASSERT_EQ(one.sections.size(), 1U);
+    EXPECT_EQ(one.sections[0].count(Result::agrees), 1U);
+    EXPECT_EQ(report_of(one), report_of(two));
+  }
+}
+
+// What stands in the report but for the picture is what all events at hand give.
+TEST(LongPrograms, AreJudgedAsShortOnes) {
+  const spec::Case c = long_case();
+  for (const Judged judged : {Judged::here, Judged::controller}) {
+    const Certificate pieces = certify::certify(options_of(c, judged, 2));
+    const auto subject = judged == Judged::here ? built_in_engine() : std::make_unique<Texts>(false);
+    const auto able = std::get<Capabilities>(subject->capabilities());
+    const fuzz::ModelRun run = fuzz::run_model(c);
+    const Answer answer = subject->run(c);
+    const Judgement whole = judge_answer(able, c, run, answer);
+    EXPECT_EQ(whole.result, Result::agrees);
+    SectionResult expected;
+    add(expected, asked_and_judged(c, Origin::own, run, answer, whole));
+    const SectionResult& found = pieces.sections.at(0);
+    EXPECT_EQ(found.results, expected.results);
+    EXPECT_EQ(found.values, expected.values);
+    EXPECT_EQ(found.wide, expected.wide);
+    EXPECT_EQ(found.decisions, expected.decisions);
+    EXPECT_EQ(found.near_ties, expected.near_ties);
+    EXPECT_EQ(found.worst_ulp, expected.worst_ulp);
+    EXPECT_EQ(found.worst_um, expected.worst_um);
+    EXPECT_EQ(found.widths.largest(), expected.widths.largest());
+    for (std::size_t i = 0; i < spec::kClauseCount; ++i)
+      EXPECT_EQ(pieces.clauses[i].reached, run.recorder.counts()[i].reached) << i;
+  }
+}
+
+// What cannot be settled in pieces is left to be judged with all events at hand.
+TEST(LongPrograms, DoNotAgreeWithAnotherController) {
+  const spec::Case c = long_case();
+  const auto beginning = beginning_of(c);
+  for (const bool wrong : {false, true}) {
+    Texts controller(wrong);
+    const auto able = std::get<Capabilities>(controller.capabilities());
+    const Answer answer = controller.run(c, {});
+    EXPECT_EQ(judge_long(able, c, &answer, beginning, 2).has_value(), !wrong);
+  }
+}
+
+// The picture, and the laws, are of its first lines.
+TEST(LongPrograms, AreDrawnAsTheyBegin) {
+  const spec::Case c = long_case();
+  const auto beginning = beginning_of(c);
+  ASSERT_TRUE(beginning);
+  EXPECT_TRUE(c.program.starts_with(beginning->c.program));
+  EXPECT_EQ(beginning->c.id, fmt::format("long, lines 1 to {}", beginning->lines));
+  EXPECT_LE(beginning->c.program.size(), 1U << 16U);
+  EXPECT_GT(beginning->run.events.size(), 100U);
+  spec::Case one_line = c;
+  one_line.program.assign(1U << 21U, ' ');
+  EXPECT_FALSE(beginning_of(one_line));
+}
+
+}  // namespace
+}  // namespace toolcomp::certify
