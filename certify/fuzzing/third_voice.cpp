@@ -137,7 +137,10 @@ class ThirdVoice {
   std::optional<Judgement> judged(const spec::Case& c, Acceptance& acceptance) {
     fuzz::ModelRun run;
     try {
-      if (fuzz::repeats_much(c)) return std::nullopt;
+      if (fuzz::repeats_much(c)) {
+        acceptance = Acceptance::too_long;
+        return std::nullopt;
+      }
       run = fuzz::run_model(c);
     } catch (const spec::InputError&) {
       acceptance = Acceptance::no_setup;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "fuzz/campaign/diary.h"
+#include "fuzz/campaign/long_program.h"
 #include "fuzz/campaign/summary.h"
 #include "fuzz/gen/mutate.h"
 
@@ -48,7 +49,7 @@ spec::Case Driver::next(std::uint64_t i) {
 
 void Driver::execute(spec::Case c, Mode mode, bool keep) {
   if (options_.on_input) options_.on_input(c);
-  Trial trial = try_case(c, options_.subject);
+  Trial trial = try_short(c, options_.subject);
   if (options_.stop && options_.stop()) return;
   add(result_, trial);
   if (trial.acceptance == Acceptance::not_decided) {

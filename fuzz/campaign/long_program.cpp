@@ -24,4 +24,11 @@ bool repeats_much(const spec::Case& c) {
   });
 }
 
+Trial try_short(const spec::Case& c, const Subject& subject) {
+  if (!repeats_much(c)) return try_case(c, subject);
+  Trial trial;
+  trial.acceptance = Acceptance::too_long;
+  return trial;
+}
+
 }  // namespace toolcomp::fuzz

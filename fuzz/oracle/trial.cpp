@@ -42,8 +42,8 @@ bool is_setup(const spec::Case& c) {
 }  // namespace
 
 std::string_view name(Acceptance acceptance) {
-  constexpr std::string_view names[kAcceptances] = {"accepted", "no move before an alarm", "setup refused",
-                                                    "no program text", "could not decide"};
+  constexpr std::string_view names[kAcceptances] = {"accepted",        "no move before an alarm", "setup refused",
+                                                    "no program text", "could not decide",        "too long"};
   return names[static_cast<std::size_t>(acceptance)];
 }
 

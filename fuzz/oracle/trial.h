@@ -16,8 +16,9 @@ enum class Acceptance : std::uint8_t {
   no_setup,     // a setup no control could have; both engines refuse it
   no_text,      // bytes that are no program text
   not_decided,  // the oracle could not decide
+  too_long,     // calls and repeats make more blocks of it than are tried (fuzz/campaign/long_program.h)
 };
-inline constexpr std::size_t kAcceptances = 5;
+inline constexpr std::size_t kAcceptances = 6;
 std::string_view name(Acceptance acceptance);
 
 struct Trial {

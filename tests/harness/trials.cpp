@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "certify/convert.h"
+#include "fuzz/campaign/driver.h"
+#include "fuzz/campaign/long_program.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -30,6 +32,28 @@ TEST(Trials, SayWhyNothingWasJudged) {
   EXPECT_EQ(acceptance("G99999\nG01 X1 F100\n"), Acceptance::no_number);
   EXPECT_EQ(acceptance("G01 X1 F100\n", 181), Acceptance::no_setup);
   EXPECT_EQ(acceptance("G01 X1\x1a F100\n"), Acceptance::no_text);
+}
+
+// Repeats in repeats: a million blocks and more, which nobody waits for.
+TEST(Trials, AreNotMadeOfWhatRepeatsMuch) {
+  spec::Case c;
+  c.section = "fanuc/tool-offset";
+  c.setup.axes = spec::Axes("XYZ");
+  c.program = "G01 X1 F100\nM98 P1 L5000\nM30\nO1\nM98 P2 L9999999\nM99\nO2\nX2\nM99\n";
+  const Trial trial = try_short(c);
+  EXPECT_EQ(trial.acceptance, Acceptance::too_long);
+  EXPECT_EQ(name(trial.acceptance), "too long");
+  EXPECT_FALSE(trial.found());
+  EXPECT_TRUE(trial.run.events.empty());
+  DriverOptions options;
+  options.sections = {c.section};
+  options.modes = {Mode::directed};
+  Driver driver(options);
+  driver.revisit(c, Mode::directed);
+  EXPECT_EQ(driver.result().executions, 1U);
+  EXPECT_EQ(driver.result().acceptance[static_cast<std::size_t>(Acceptance::too_long)], 1U);
+  c.program = "G01 X1 F100\nM98 P1 L100\nM30\nO1\nX2\nM99\n";
+  EXPECT_EQ(try_short(c).acceptance, Acceptance::accepted);
 }
 
 // A drilling cycle is not known here: of a controller what goes before it is judged, and nothing it does from there on.

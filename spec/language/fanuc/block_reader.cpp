@@ -77,6 +77,19 @@ BlockReader::BlockReader(std::unique_ptr<ByteSource> bytes, const Axes& axes, Re
                          std::uint64_t first_line)
     : source_(std::move(bytes)), options_(std::move(options)), address_(addresses(axes)), line_(first_line) {}
 
+void BlockReader::begin(std::unique_ptr<ByteSource> bytes, std::uint64_t first_line) {
+  source_ = std::move(bytes);
+  position_ = end_ = buffer_.data();
+  buffer_[0] = 0;
+  consumed_ = line_start_ = 0;
+  line_ = first_line;
+  at_start_ = true;
+  started_ = begun_ = exhausted_ = done_ = false;
+  letter_ = 0;
+  jump_ = Jump::none;
+  name_size_ = passed_size_ = 0;
+}
+
 bool BlockReader::next(Block& block) {
   while (!done_)
     if (read_block(block)) return true;

@@ -33,6 +33,8 @@ class BlockReader {
 
   BlockReader(std::unique_ptr<ByteSource> bytes, const Axes& axes, ReaderOptions options, std::uint64_t first_line = 1);
 
+  // Begins anew, with another text.
+  void begin(std::unique_ptr<ByteSource> bytes, std::uint64_t first_line);
   // The next block with at least one word (or an alarm); false at the end of the text or at the `%` that ends it.
   // Throws InputError for bytes that are no text. Does not allocate.
   bool next(Block& block);

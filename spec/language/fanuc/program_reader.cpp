@@ -37,13 +37,15 @@ struct ProgramReader::State {
   void return_to(Block& block, const Word& sequence_number);
   // The end of a program, by M99 or by its text.
   void end_program();
-  void begin(Call& call) const;
+  void begin(Call& call);
+  void end_call();
 
   Axes axes;
   ReaderOptions options;
   BlockReader main;
   std::optional<ProgramLibrary> library;  // from the first call on
   std::vector<Call> calls;
+  std::vector<std::unique_ptr<BlockReader>> spare;  // of calls that have ended: a reader is large
   std::uint64_t called_blocks = 0;
   std::optional<Block> found;  // by M99 P: it comes next
   bool too_long = false;       // behind the block that is said to be too much none comes
@@ -61,9 +63,21 @@ bool ProgramReader::State::read(Block& block) {
   return true;
 }
 
-void ProgramReader::State::begin(Call& call) const {
-  call.reader = std::make_unique<BlockReader>(text_source(call.program.text), axes, options, call.program.line);
+void ProgramReader::State::begin(Call& call) {
   call.empty = true;
+  if (!call.reader && !spare.empty()) {
+    call.reader = std::move(spare.back());
+    spare.pop_back();
+  }
+  if (call.reader)
+    call.reader->begin(text_source(call.program.text), call.program.line);
+  else
+    call.reader = std::make_unique<BlockReader>(text_source(call.program.text), axes, options, call.program.line);
+}
+
+void ProgramReader::State::end_call() {
+  spare.push_back(std::move(calls.back().reader));
+  calls.pop_back();
 }
 
 void ProgramReader::State::end_program() {
@@ -74,7 +88,7 @@ void ProgramReader::State::end_program() {
   Call& call = calls.back();
   // A program without blocks would end at once, however often.
   if (call.left == 0 || call.empty) {
-    calls.pop_back();
+    end_call();
     return;
   }
   --call.left;
@@ -99,8 +113,9 @@ void ProgramReader::State::follow(Block& block) {
     end_program();
     return;
   }
-  calls.pop_back();
-  return_to(block, *p);
+  const Word to = *p;
+  end_call();
+  return_to(block, to);
 }
 
 // In the program that has called, from behind the call to its end.

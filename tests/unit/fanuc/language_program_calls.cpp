@@ -57,6 +57,12 @@ TEST(ProgramCalls, ACalledProgramRunsBehindItsCall) {
   EXPECT_EQ(order("m98p2\nM30\n:0002(SUB)\nX1\n"), "1 3 4 2");
 }
 
+// Whatever it ended in: a % within it, a comment that is not closed, a name.
+TEST(ProgramCalls, ARepeatedProgramBeginsAnew) {
+  EXPECT_EQ(order("M98 P2 L2\nM98 P3 L2\nM30\nO2\n%\nX1\n%\nX2\nO3\n(\nX3 (\n"), "1 4 4 2 9 11 9 11 3");
+  EXPECT_EQ(order("M98 P2 L2\nM30\nO2\nM98 <S> L2\nX1\n<S>\nX2\n"), "1 3 4 7 7 5 3 4 7 7 5 2");
+}
+
 TEST(ProgramCalls, HowOften) {
   const std::string sub = "M30\nO1002\nM99\nO51002\nX1\n";
   EXPECT_EQ(order("M98 P1002\n" + sub), "1 3 4 2");
