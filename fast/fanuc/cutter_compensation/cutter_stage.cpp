@@ -394,7 +394,7 @@ template <class Compensation>
   set_arc_event(block, center);
   pass();
   if constexpr (kIsC<Compensation>)
-    if (!control_.stopped) usual_.paths.await();
+    if (!control_.stopped && compensation_.awaits_paths()) usual_.paths.await();
   return alarm::kNone;
 }
 
@@ -463,7 +463,8 @@ Alarm CutterStage<Compensation>::plain_block(const Words& words) {
   control.fill_here(block.event, modal.straight(), spec::Cause::programmed);
   pass();
   if constexpr (kIsC<Compensation>)
-    if (block.motion == CutterMotion::line && !control.stopped && !usual_.lines.await()) usual_.paths.await();
+    if (block.motion == CutterMotion::line && !control.stopped && !usual_.lines.await() && compensation_.awaits_paths())
+      usual_.paths.await();
   return alarm::kNone;
 }
 

@@ -6,8 +6,8 @@
 #include <type_traits>
 
 #include "fast/fanuc/control/stage.h"
+#include "fast/fanuc/corner/usual_paths.h"
 #include "fast/fanuc/cutter_compensation_c/usual_line.h"
-#include "fast/fanuc/cutter_compensation_c/usual_path.h"
 
 namespace toolcomp::fast {
 
@@ -40,7 +40,7 @@ class CutterStage final : public Stage {
     Usual(Control& control, CutterCompensationC& compensation)
         : lines(control, compensation), paths(control, compensation) {}
     UsualCutterLines lines;
-    UsualCutterPaths paths;
+    UsualPaths paths;
   };
   struct Nothing {
     Nothing(const Control& /*control*/, const Compensation& /*compensation*/) {}

@@ -11,10 +11,10 @@
 #include "fast/basis/event.h"
 #include "fast/basis/fault.h"
 #include "fast/fanuc/corner/corner_stage.h"
+#include "fast/fanuc/corner/usual_paths.h"
 #include "fast/fanuc/cutter_compensation_c/cutter_group.h"
 #include "fast/fanuc/cutter_compensation_c/cutter_interference.h"
 #include "fast/fanuc/cutter_compensation_c/usual_line.h"
-#include "fast/fanuc/cutter_compensation_c/usual_path.h"
 #include "fast/fanuc/program/cutter_block.h"
 #include "fast/geometry/path.h"
 #include "spec/language/setup.h"
@@ -31,7 +31,8 @@ struct CutterPath {
 };
 
 // Look-ahead: a block that moves in the plane, one block after it that does not, and the next one.
-class CutterCompensationC : public CornerStage<CutterCompensationC, CutterBlock, CutterPath, CutterGroup, 4> {
+class CutterCompensationC : public CornerStage<CutterCompensationC, CutterBlock, CutterPath, CutterGroup, 4>,
+                            public UsualPathLender {
  public:
   // Throws spec::InputError for parameters no control could have.
   CutterCompensationC(const spec::Setup& setup, EventSink& sink);
@@ -80,10 +81,10 @@ class CutterCompensationC : public CornerStage<CutterCompensationC, CutterBlock,
   void lend(UsualLine& line);
   // `end`: its programmed end, 10^-6.
   void take_back(const UsualLine& line, const std::array<std::int64_t, 2>& end);
-  // Lines and arcs (usual_path.h). lend(): false, this one is not to be lent.
+  // Lines and arcs (corner/usual_paths.h).
   [[nodiscard]] bool awaits_paths() const;
-  [[nodiscard]] bool lend(UsualLoan& loan);
-  void take_back(const UsualReturn& usual);
+  [[nodiscard]] bool lend(UsualLoan& loan) override;
+  void take_back(const UsualReturn& usual) override;
   // Takes next(). An answer with an alarm or a typed undecided ends the run; what goes before it has been sent.
   StageEnd block();
   // No further block is known: a block that raises an alarm of its own (absent from the path), or the end of the
@@ -149,8 +150,8 @@ class CutterCompensationC : public CornerStage<CutterCompensationC, CutterBlock,
 
   // Of the short cuts.
   [[nodiscard]] bool awaits_usual() const;
+  // Of an arc: the vector at its start is one of its own offset circle.
   [[nodiscard]] bool starts_on_circle() const;
-  [[nodiscard]] bool moves_in_plane_only();
 
   CutterParameters parameters_;
   CutterGroups make_;

@@ -5,9 +5,10 @@
 #include <cstdint>
 
 #include "fast/arithmetic/count.h"
+#include "fast/basis/short_cut.h"
+#include "fast/fanuc/corner/lent_path.h"
 #include "fast/fanuc/cutter_compensation_c/cutter_compensation_c.h"
 #include "fast/fanuc/cutter_compensation_c/usual_line.h"
-#include "fast/fanuc/cutter_compensation_c/usual_path.h"
 
 namespace toolcomp::fast {
 
@@ -73,65 +74,13 @@ void CutterCompensationC::take_back(const UsualLine& line, const std::array<std:
   move.cause = spec::Cause::corner;
 }
 
-namespace {
-
-WholePair whole_pair(const std::array<Int128, 2>& whole) {
-  return {static_cast<std::int64_t>(whole[0]), static_cast<std::int64_t>(whole[1])};
-}
-
-// False: it is no usual one.
-bool set_usual_path(UsualPath& to, const PlanePath& path) {
-  if (path.fine_units || path.seen) return false;
-  if (path.arc && path.ends_in_center) return false;
-  if (path.arc && path.by_radius) {
-    constexpr Int128 kMost = Int128{1} << 30U;
-    const auto is_usual = [](const Int128& x) { return x < kMost && x > -kMost; };
-    if (!is_usual(path.whole[0]) || !is_usual(path.whole[1]) || !is_usual(path.radius_whole)) return false;
-    const auto radius = static_cast<std::int64_t>(path.radius_whole);
-    return set_usual_arc_by_radius(to, whole_pair(path.whole), path.over_half ? -radius : radius, path.sigma);
-  }
-  if (!path.start.narrow || !path.end().narrow) return false;
-  if (path.arc) {
-    const auto from_center = [&](const Heading& tangent) {
-      const WholePair whole = whole_pair(tangent.whole);
-      return WholePair{path.sigma * whole[1], -path.sigma * whole[0]};
-    };
-    return set_usual_arc(to, from_center(path.start), from_center(path.arc_end), path.sigma);
-  }
-  set_usual_line(to, whole_pair(path.start.whole));
-  return true;
-}
-
-void set_plane_path(PlanePath& to, const UsualPath& path) {
-  const auto count = [](std::int64_t small) {
-    Count value;
-    value.set_small(small);
-    return value;
-  };
-  to.fine_units = false;
-  if (!path.is_arc()) {
-    to.arc = false;
-    set_narrow_heading(to.start, path.start.whole[0], path.start.whole[1]);
-  } else if (path.by_radius != 0) {
-    const WholePair way = path.way();
-    set_arc_by_radius(to, {}, {count(way[0]), count(way[1])}, count(path.by_radius), path.sigma < 0);
-  } else {
-    to.arc = true;
-    to.sigma = path.sigma;
-    to.by_radius = false;
-    to.ends_in_center = false;
-    set_narrow_arc(to, path.whole_start(), path.whole_end());
-  }
-}
-
-}  // namespace
-
 bool CutterCompensationC::awaits_paths() const {
   return awaits_usual() && (last_->flat.arc || start_->corner.first->arc) && !fault(Fault::c_small_movement_one_axis) &&
          !fault(Fault::c_spiral_as_circle);
 }
 
 bool CutterCompensationC::lend(UsualLoan& loan) {
+  if (!is_open(ShortCut::cutter_path)) return false;
   const CutterGroup& start = at_start();
   loan.event = &ring_[first_].event;
   loan.sink = sink_;
@@ -139,34 +88,18 @@ bool CutterCompensationC::lend(UsualLoan& loan) {
   loan.offset.left = last_->side * last_->offset.nearest;
   loan.offset.limit = parameters_.limit_value;
   loan.offset.keeps_all = parameters_.keeps_all;
+  loan.corner_move = &corner_move(start);
   if (start.cleared != 0 || !set_usual_path(loan.path, last_->flat)) return false;
   if (last_->flat.arc && !(starts_on_circle() && has_offset_path(loan.path, loan.offset))) return false;
   loan.start.size = 0;
   for (std::size_t i = 0; i < start.size; ++i)
     loan.start.add(start.head[i].kind, DoublePair{start.head[i].vector.x, start.head[i].vector.y});
-  return start.size == 1 || moves_in_plane_only();
+  return start.size == 1 || moves_in_plane_only(axis_, *loan.corner_move, *loan.event);
 }
 
-// Of an arc: the vector at its start is one of its own offset circle.
 bool CutterCompensationC::starts_on_circle() const {
-  if (start_side_ != last_->side || !(start_offset_->exact == last_->offset.exact)) return false;
-  const HeadKind kind = start_->back().kind;
-  const Corner& corner = start_->corner;
-  const bool straight = corner.second == &last_->flat && corner.turn.c == 0 && corner.turn.k > 0;
-  return kind == HeadKind::paths_meet || kind == HeadKind::second_normal ||
-         (kind == HeadKind::first_normal && straight);
-}
-
-// Beside the move at the corner at its start, the other axes stay.
-bool CutterCompensationC::moves_in_plane_only() {
-  const Event& before = corner_move(at_start());
-  const Event& event = ring_[first_].event;
-  const unsigned others = event.axes.present & ~(1U << axis_[0] | 1U << axis_[1]);
-  for (unsigned rest = others; rest != 0; rest &= rest - 1) {
-    const auto axis = static_cast<std::size_t>(__builtin_ctz(rest));
-    if (before.axes.value[axis] != event.axes.value[axis]) return false;
-  }
-  return true;
+  return start_side_ == last_->side && start_offset_->exact == last_->offset.exact &&
+         is_on_circle(last_->flat, start_->corner, start_->back().kind);
 }
 
 void CutterCompensationC::take_back(const UsualReturn& usual) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Usual lines of cutter compensation C as arrays: from the words of the blocks to the moves.
+#include "fast/fanuc/corner/usual_corner.h"
 #include "fast/fanuc/cutter_compensation_c/cutter_line_arrays.h"
-#include "fast/fanuc/cutter_compensation_c/usual_corner.h"
 #include "fast/fanuc/cutter_compensation_c/usual_line.h"
 
 namespace toolcomp::fast {

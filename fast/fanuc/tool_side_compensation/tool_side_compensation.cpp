@@ -79,7 +79,7 @@ StageEnd ToolSideCompensation::block() {
   if (line_.taken) complete_line();
   ToolSideBlock& block = next();
   const StageEnd end = any_block(block);
-  await_line(block);
+  await_usual(block);
   return end;
 }
 

@@ -11,6 +11,7 @@
 #include "fast/basis/event.h"
 #include "fast/fanuc/control/event_in_space.h"
 #include "fast/fanuc/corner/corner_stage.h"
+#include "fast/fanuc/corner/usual_paths.h"
 #include "fast/fanuc/tool_side_compensation/side_group.h"
 #include "fast/fanuc/tool_side_compensation/side_interference.h"
 #include "fast/fanuc/tool_side_compensation/side_line_arrays.h"
@@ -32,7 +33,8 @@ struct LineCorner {
 // Look-ahead: a block that moves at its own end, one block after it that does not move in the plane there, and the next
 // one. The one in between may move at its own end: it then waits, as a path of its own, until the one before it is out.
 // Before the path, where the corner at its start has several vectors, one block that keeps the last of them.
-class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBlock, SidePath, SideGroup, 5> {
+class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBlock, SidePath, SideGroup, 5>,
+                             public UsualPathLender {
  public:
   // Throws spec::InputError for parameters no control could have.
   ToolSideCompensation(const spec::Setup& setup, const Kinematics& kinematics, EventSink& sink);
@@ -92,6 +94,12 @@ class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBl
   // Of the event that is held.
   [[nodiscard]] const Event& held_event() { return held(0).event; }
 
+  // Usual lines and arcs (corner/usual_paths.h), with the tool along the normal of the selected plane. Asked behind
+  // block(): whether the path that is held may be lent.
+  [[nodiscard]] bool awaits_paths() const { return awaits_paths_; }
+  [[nodiscard]] bool lend(UsualLoan& loan) override;
+  void take_back(const UsualReturn& usual) override;
+
   // No further block is known: one that raises an alarm of its own or stops the look-ahead, or the end of the program.
   StageEnd release();
 
@@ -146,14 +154,23 @@ class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBl
     Vector3<double> vector;   // at the start of the path that is held
     double radius = 0;        // positive to the left
   };
-  // Behind block(), which has just taken `block`: whether lines are awaited.
-  void await_line(const ToolSideBlock& block);
-  [[nodiscard]] bool can_await_line(const ToolSideBlock& block);
+  // Behind block(), which has just taken `block`: what is awaited.
+  void await_usual(const ToolSideBlock& block);
+  // The next path makes an ordinary corner of the same side and offset with the one that is held.
+  [[nodiscard]] bool holds_usual_path(const ToolSideBlock& block) const;
+  [[nodiscard]] bool can_await_line();
+  [[nodiscard]] bool can_await_paths();
   // The tool moves ahead for certain along the line, from the vector at its start to the one at its end; `length` in
   // the plane, whole units.
   [[nodiscard]] bool goes_forward(const SidePath& path, double length, const Vector3<double>& vector) const;
   // What take_line() leaves to be known of the path that is held and the corner at its start.
   void complete_line();
+
+  // Of usual paths.
+  [[nodiscard]] bool lend_path(UsualLoan& loan) const;
+  // Of an arc: the vector at its start is one of its own offset circle.
+  [[nodiscard]] bool starts_on_circle();
+  void set_side_path(SidePath& to, const UsualPath& path, const std::array<std::size_t, 2>& in) const;
 
   // Whether a line moves in a plane (No. 19630).
   [[nodiscard]] bool moves(const SeenLine& line, const ToolPlane& plane) const;
@@ -193,6 +210,7 @@ class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBl
   Treatment treatment_ = Treatment::none;
   PathStart start_of_path_;
   UsualLine line_;
+  bool awaits_paths_ = false;
 
   Amount start_offset_;  // of type C
   Amount value_;         // in force

@@ -175,7 +175,7 @@ Alarm ToolSideStage::pass(const Words& words, bool extra, const BlockArc& arc) {
   if (end)
     control.end(end);
   else
-    await_lines();
+    await_usual();
   return alarm::kNone;
 }
 

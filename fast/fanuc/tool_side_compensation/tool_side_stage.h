@@ -9,6 +9,7 @@
 
 #include "fast/fanuc/control/stage.h"
 #include "fast/fanuc/control/usual_space_lines.h"
+#include "fast/fanuc/corner/usual_paths.h"
 #include "fast/fanuc/tool_side_compensation/tool_side_compensation.h"
 
 namespace toolcomp::fast {
@@ -18,7 +19,10 @@ class ToolSideStage final : private BlockTaker, public Stage {
  public:
   // Throws spec::InputError for parameters no control could have.
   ToolSideStage(const spec::Setup& setup, Control& control, EventSink& sink)
-      : Stage(control, true), compensation_(setup, control.kinematics, sink), lines_(control) {}
+      : Stage(control, true),
+        compensation_(setup, control.kinematics, sink),
+        lines_(control),
+        paths_(control, compensation_) {}
 
   void set_sink(EventSink& sink) override { compensation_.set_sink(sink); }
   void release() override;
@@ -43,8 +47,8 @@ class ToolSideStage final : private BlockTaker, public Stage {
   [[nodiscard]] bool is_on() const { return wanted_ || compensation_.active(); }
 
   // usual_side_line.cpp
-  // Behind a block that has been taken: whether the next one may be a usual line.
-  void await_lines();
+  // Behind a block that has been taken: whether the next one may be a usual line, or a usual path among arcs.
+  void await_usual();
   // While it may.
   void block(const spec::Block& block) override;
   [[nodiscard]] std::size_t lines(const LineChunk& chunk) override;
@@ -69,6 +73,7 @@ class ToolSideStage final : private BlockTaker, public Stage {
   int sign_ = 1;         // +1 left: by code and sign of the value
   bool wanted_ = false;  // a code is in force with a number
   UsualSpaceLines lines_;
+  UsualPaths paths_;
 };
 
 }  // namespace toolcomp::fast

@@ -5,19 +5,25 @@
 
 namespace toolcomp::fast {
 
-void ToolSideCompensation::await_line(const ToolSideBlock& block) {
-  line_.awaited = is_open(ShortCut::tool_side_line) && can_await_line(block);
+void ToolSideCompensation::await_usual(const ToolSideBlock& block) {
+  const bool usual = holds_usual_path(block);
+  awaits_paths_ = usual && can_await_paths();
+  line_.awaited = usual && is_open(ShortCut::tool_side_line) && can_await_line();
   if (!line_.awaited) return;
   line_.vector = at_start().head[0].vector;
   line_.radius = last_->side > 0 ? value_.nearest : -value_.nearest;
 }
 
-bool ToolSideCompensation::can_await_line(const ToolSideBlock& block) {
+bool ToolSideCompensation::holds_usual_path(const ToolSideBlock& block) const {
   return block.wanted && mode_ == Mode::on && held_ == Held::path && last_ == &paths_[path_] && !starts_up_ &&
-         !after_start_ && !repeated_ && treatment_ == Treatment::none && !parameters_.no_interference && !last_->arc &&
-         last_->travel.narrow && waits_ == 0 && last_->offset.nearest != 0 && block.side == last_->side &&
-         last_->offset_change == value_change_ && at_start().size == 1 && !fault(Fault::side_handedness) &&
-         !fault(Fault::side_tool_at_start) && !fault(Fault::side_turned_tool) && !fault(Fault::side_limit_by_length);
+         !after_start_ && !repeated_ && treatment_ == Treatment::none && !parameters_.no_interference && waits_ == 0 &&
+         last_->offset.nearest != 0 && block.side == last_->side && last_->offset_change == value_change_ &&
+         !fault(Fault::side_handedness);
+}
+
+bool ToolSideCompensation::can_await_line() {
+  return !last_->arc && last_->travel.narrow && at_start().size == 1 && !fault(Fault::side_tool_at_start) &&
+         !fault(Fault::side_turned_tool) && !fault(Fault::side_limit_by_length);
 }
 
 // |u|^2 + u . (vector - start), by |u|; u = U - (V . U) V.

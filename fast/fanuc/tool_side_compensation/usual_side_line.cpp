@@ -6,7 +6,8 @@
 
 namespace toolcomp::fast {
 
-void ToolSideStage::await_lines() {
+void ToolSideStage::await_usual() {
+  if (compensation_.awaits_paths() && paths_.await()) return;
   if (compensation_.awaits_line() && lines_.await(*this)) compensation_.await_lines(lines_.are_plain());
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the short cuts of cutter compensation C stand in the plane, and where they send an event.
+// Where short cuts stand in the selected plane, and where they send an event.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 #include "fast/arithmetic/trigonometry.h"
 #include "fast/basis/event.h"
 #include "fast/fanuc/control/control.h"
-#include "fast/fanuc/cutter_compensation_c/usual_corner.h"
+#include "fast/fanuc/corner/usual_corner.h"
 
 namespace toolcomp::fast {
 

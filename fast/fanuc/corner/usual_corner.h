@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines and arcs of few digits, and the corners of cutter compensation C between them: what the general path makes, bit
-// for bit, in 64 bits. Where such a path or corner is unusual, or doubles cannot tell, the answer is false.
+// Lines and arcs of few digits, and the corners between them: what the general path makes, bit for bit, in 64 bits.
+// Where such a path or corner is unusual, or doubles cannot tell, the answer is false.
 #pragma once
 
 #include <algorithm>
@@ -202,11 +202,10 @@ inline bool keeps_all(const UsualCorner& corner, const UsualOffset& offset) {
   return true;
 }
 
-// The vectors of an outer corner, with those perpendicular to its arcs.
-[[nodiscard]] inline bool make_outer_corner(const UsualPath& former, const UsualPath& latter, const Turn& turn,
-                                            const UsualOffset& offset, UsualCorner& corner) {
-  const DoublePair t1 = former.end().unit;
-  const DoublePair t2 = latter.start.unit;
+// The vectors of an outer corner from tangent t1 to t2, with those perpendicular to its arcs.
+[[nodiscard]] inline bool make_outer_corner(const UsualPath& former, const UsualPath& latter, DoublePair t1,
+                                            DoublePair t2, const Turn& turn, const UsualOffset& offset,
+                                            UsualCorner& corner) {
   const DoublePair n1 = left_of(t1) * offset.left;
   const DoublePair n2 = left_of(t2) * offset.left;
   if (former.is_arc()) corner.add(HeadKind::first_normal, n1);
@@ -265,8 +264,46 @@ inline bool keeps_all(const UsualCorner& corner, const UsualOffset& offset) {
     turn = turn_from_whole(turn, to_vector(last.from_whole), to_vector(next.from_whole));
     if (!doubles_suffice(turn)) return false;
   }
-  return (turn.c > 0) == (offset.left > 0) ? make_inner_corner(former, latter, turn, offset, corner)
-                                           : make_outer_corner(former, latter, turn, offset, corner);
+  return (turn.c > 0) == (offset.left > 0)
+             ? make_inner_corner(former, latter, turn, offset, corner)
+             : make_outer_corner(former, latter, last.unit, next.unit, turn, offset, corner);
+}
+
+// A corner of two lines as ToolPlane::set_turn() of tool side compensation sees it, with the tool along the normal of
+// the plane: by the reciprocals of their lengths, and the cosine by products of doubles.
+[[nodiscard]] inline bool make_corner_of_seen_lines(const UsualPath& former, const UsualPath& latter,
+                                                    const UsualOffset& offset, UsualCorner& corner) {
+  const WholePair& way1 = former.start.whole;
+  const WholePair& way2 = latter.start.whole;
+  const std::int64_t c = way1[0] * way2[1] - way1[1] * way2[0];
+  const DoublePair first = to_doubles(way1);
+  const DoublePair second = to_doubles(way2);
+  const DoublePair products = first * second;
+  const double k = products[0] + products[1];
+  // Nearer to a right angle the products are summed up as whole numbers there.
+  const bool right = way1[0] * way2[0] + way1[1] * way2[1] == 0;
+  if (!right && std::abs(k) <= 0x1p-40 * (former.start.norm * latter.start.norm)) [[unlikely]]
+    return false;
+  const double inverse1 = 1 / former.start.norm;
+  const double inverse2 = 1 / latter.start.norm;
+  const double inverses = inverse1 * inverse2;
+  const DoublePair t1 = first * inverse1;
+  const DoublePair t2 = second * inverse2;
+  corner.size = 0;
+  if (c == 0) {
+    // Straight back.
+    if (k <= 0) [[unlikely]]
+      return false;
+    corner.add(HeadKind::first_normal, left_of(t1) * offset.left);
+    return true;
+  }
+  const Turn turn{static_cast<double>(c) * inverses, right ? 0 : k * inverses, 1};
+  if ((turn.c > 0) != (offset.left > 0)) return make_outer_corner(former, latter, t1, t2, turn, offset, corner);
+  // Near a reversal it takes more than doubles.
+  if (turn.k < 0 && std::abs(turn.c) < 0x1p-3) [[unlikely]]
+    return false;
+  corner.add(HeadKind::tangents_meet, (left_of(t1) - t1 * half_tangent(turn)) * offset.left);
+  return true;
 }
 
 // What the interference check asks of a line, from a vector to another: the tool goes forward for certain. Where the

@@ -1,31 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
-// The usual paths of cutter compensation C where arcs are among them, one behind another: straight from the words of
-// the block to the event, without the look-ahead machine. What it does is what CutterCompensationC::block() would do,
-// bit for bit. Lines alone go a shorter way still (usual_line.h).
+// The usual paths of cutter compensation C and tool side compensation where arcs are among them, one behind another:
+// straight from the words of the block to the event, without the look-ahead machine. What it does is what block() of
+// the section would do, bit for bit. Lines alone go a shorter way still.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "fast/arithmetic/trigonometry.h"
 #include "fast/basis/event.h"
 #include "fast/fanuc/control/control.h"
 #include "fast/fanuc/control/usual_words.h"
-#include "fast/fanuc/cutter_compensation_c/usual_corner.h"
+#include "fast/fanuc/corner/usual_corner.h"
 #include "spec/language/fanuc/block.h"
 
 namespace toolcomp::fast {
 
-class CutterCompensationC;
-
-// What cutter compensation C lends: the path that is held while the next one is awaited.
+// What a section lends: the path that is held while the next one is awaited.
 struct UsualLoan {
-  Event* event = nullptr;  // of its block
+  std::array<std::size_t, 2> in{};  // which of X Y Z the plane has: said by who asks
+  Event* event = nullptr;           // of its block
   EventSink* sink = nullptr;
   UsualOffset offset;
   UsualPath path;
-  UsualCorner start;  // the corner at its start
+  UsualCorner start;                   // the corner at its start
+  const Event* corner_move = nullptr;  // of a corner of more than one vector
+  // Tool side compensation: moves up to the stop point belong to the block before the corner, and corners of lines are
+  // as ToolPlane sees them.
+  bool in_space = false;
+  double shortest = 0;  // longer lines move for certain (No. 19630), 10^-6
 };
 
 // What it gets back: another path, the one before it, and the corner between them.
@@ -35,17 +40,28 @@ struct UsualReturn {
   const UsualCorner& corner;
   const Event& corner_move;  // where that corner is, without vector
   WholePair at;              // the same in the plane, 10^-6
+  std::array<std::size_t, 2> in;
 };
 
-// Takes blocks as they are read, while cutter compensation C holds a line or an arc and they are usual: moves in the
-// plane by words of few places, F, and the codes G01 G02 G03.
-class UsualCutterPaths final : public BlockTaker {
+// A section that holds a path. While it is lent nothing else is asked.
+class UsualPathLender {
  public:
-  UsualCutterPaths(Control& control, CutterCompensationC& compensation)
-      : control_(control), compensation_(compensation) {}
+  // False: this one is not to be lent.
+  [[nodiscard]] virtual bool lend(UsualLoan& loan) = 0;
+  virtual void take_back(const UsualReturn& usual) = 0;
 
-  // Behind a block that has been taken: the next ones come here, if they may be usual.
-  void await();
+ protected:
+  ~UsualPathLender() = default;
+};
+
+// Takes blocks as they are read, while the section holds a line or an arc and they are usual: moves in the plane by
+// words of few places, F, and the codes G01 G02 G03.
+class UsualPaths final : public BlockTaker {
+ public:
+  UsualPaths(Control& control, UsualPathLender& lender) : control_(control), lender_(lender) {}
+
+  // Behind a block that has been taken: the next ones come here, if they may be usual. False: they do not.
+  bool await();
   void block(const spec::Block& block) override;
   void end() override;
 
@@ -65,11 +81,17 @@ class UsualCutterPaths final : public BlockTaker {
   // Of the most usual arcs, X Y I J with a code before or without. False: any other, and nothing is done.
   [[nodiscard]] bool read_usual_arc(const spec::Block& block, Command& command) const;
   [[nodiscard]] bool make_path(const Command& command);
-  // The path that is held has an event for certain, with a vector at its end: it goes forward; its sweep and its radii
-  // are those of an arc.
-  [[nodiscard]] bool is_clear(DoublePair vector, double& sweep) const;
+  [[nodiscard]] bool make_corner();
+  // Of the tool's arc along the path that is held.
+  struct ToolArc {
+    double sweep = 0;
+    std::pair<double, double> radius;  // of a spiral
+  };
+  // The path that is held has an event for certain, with a vector at its end: it goes forward, or is an arc.
+  [[nodiscard]] bool is_clear(DoublePair vector, ToolArc& arc) const;
+  void own_corner_move(const Event& owner);
   void send_corner_moves();
-  void send_path(DoublePair vector, double sweep);
+  void send_path(DoublePair vector, const ToolArc& tool);
   void hold(const spec::Block& block, const Command& command);
   void set_center(DoublePair center);
   void set_feed();
@@ -79,7 +101,7 @@ class UsualCutterPaths final : public BlockTaker {
   [[nodiscard]] Event& event_of(const UsualPath& path) { return path.is_arc() ? arc_ : line_; }
 
   Control& control_;
-  CutterCompensationC& compensation_;
+  UsualPathLender& lender_;
   BlockTaker* others_ = nullptr;  // who takes blocks that are no usual paths
   std::array<std::size_t, 2> axis_{};
   std::array<std::size_t, 2> letter_{};         // of positions

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fast/fanuc/cutter_compensation_c/usual_path.h"
+#include "fast/fanuc/corner/usual_paths.h"
 
 #include <cmath>
 #include <utility>
 
 #include "fast/basis/fault.h"
-#include "fast/basis/short_cut.h"
 #include "fast/fanuc/control/read_words.h"
+#include "fast/fanuc/corner/corner_group.h"
 #include "fast/fanuc/corner/tool_arc.h"
-#include "fast/fanuc/cutter_compensation_c/cutter_compensation_c.h"
-#include "fast/fanuc/cutter_compensation_c/usual_place.h"
+#include "fast/fanuc/corner/usual_place.h"
 
 namespace toolcomp::fast {
 namespace {
@@ -35,12 +34,15 @@ void set_frame(Event& event, const Event& from, spec::MoveType type, spec::Cause
 
 }  // namespace
 
-void UsualCutterPaths::await() {
+bool UsualPaths::await() {
   const ModalState& modal = control_.modal;
-  if (!is_open(ShortCut::cutter_path) || modal.motion() < 10 || !compensation_.awaits_paths()) return;
-  if (!usual_words_may_come(control_) || modal.by_vector()) return;
-  if (!find_usual_place(control_, at_) || !is_usual_position(at_) || !compensation_.lend(loan_)) return;
   axis_ = modal.plane_axis();
+  if (modal.motion() < 10 || modal.by_vector() || axis_[0] == spec::Axes::kNone || axis_[1] == spec::Axes::kNone)
+    return false;
+  loan_.in = {in_plane(modal.plane(), 0), in_plane(modal.plane(), 1)};
+  if (!usual_words_may_come(control_) || !find_usual_place(control_, at_) || !is_usual_position(at_) ||
+      !lender_.lend(loan_))
+    return false;
   std::uint32_t letters = UsualWords::set_of("FGR");
   for (std::size_t i = 0; i < 2; ++i) {
     letter_[i] = std::size_t{control_.axes.letters.index[axis_[i]]} + 1U;
@@ -58,6 +60,7 @@ void UsualCutterPaths::await() {
   const Event& event = *loan_.event;
   set_frame(line_, event, spec::MoveType::linear, event.cause);
   set_frame(corner_move_, event, spec::MoveType::linear, spec::Cause::corner);
+  if (start_->size > 1) own_corner_move(*loan_.corner_move);
   set_frame(arc_, event, spec::MoveType::arc, event.cause);
   Event& own = event_of(*held_);
   own.line = event.line;
@@ -72,21 +75,22 @@ void UsualCutterPaths::await() {
   if (held_->by_radius != 0) set_center(start_value_ / kWholePerOne - held_->from_start);
   others_ = control_.taker;
   control_.taker = this;
+  return true;
 }
 
-void UsualCutterPaths::block(const spec::Block& block) {
+void UsualPaths::block(const spec::Block& block) {
   if (take(block)) [[likely]]
     return;
   leave();
   others_->block(block);
 }
 
-void UsualCutterPaths::end() {
+void UsualPaths::end() {
   leave();
   others_->end();
 }
 
-void UsualCutterPaths::leave() {
+void UsualPaths::leave() {
   control_.taker = others_;
   if (lent_) return;
   for (std::size_t i = 0; i < 2; ++i) control_.positions.place_small(axis_[i], at_[i]);
@@ -99,14 +103,14 @@ void UsualCutterPaths::leave() {
   to.arc = event.arc;
   place_in_plane(corner_move_, axis_, start_value_, DoublePair{});
   const WholePair way = held_->way();
-  compensation_.take_back({*before_, *held_, *start_, corner_move_, {at_[0] - way[0], at_[1] - way[1]}});
+  lender_.take_back({*before_, *held_, *start_, corner_move_, {at_[0] - way[0], at_[1] - way[1]}, loan_.in});
 }
 
-[[gnu::always_inline]] inline void UsualCutterPaths::set_center(DoublePair center) {
+[[gnu::always_inline]] inline void UsualPaths::set_center(DoublePair center) {
   for (std::size_t i = 0; i < 2; ++i) arc_.arc->center.value[axis_[i]] = center[i];
 }
 
-[[gnu::always_inline]] inline bool UsualCutterPaths::read_usual_arc(const spec::Block& block, Command& command) const {
+[[gnu::always_inline]] inline bool UsualPaths::read_usual_arc(const spec::Block& block, Command& command) const {
   const spec::Word& first = block.word[0];
   const std::size_t codes = first.address == 'G' ? 1 : 0;
   const spec::Word* const words = &first + codes;
@@ -125,7 +129,7 @@ void UsualCutterPaths::leave() {
   return true;
 }
 
-[[gnu::always_inline]] inline bool UsualCutterPaths::read(const spec::Block& block, Command& command) {
+[[gnu::always_inline]] inline bool UsualPaths::read(const spec::Block& block, Command& command) {
   if (read_usual_arc(block, command)) return true;
   const bool incremental = control_.modal.incremental();
   for (std::size_t i = 0; i < 2; ++i) {
@@ -154,13 +158,13 @@ void UsualCutterPaths::leave() {
   return (centers || by_radius) == (command.motion > 10);
 }
 
-[[gnu::always_inline]] inline bool UsualCutterPaths::make_path(const Command& command) {
+[[gnu::always_inline]] inline bool UsualPaths::make_path(const Command& command) {
   const auto& [motion, has_feed, to, to_center, radius] = command;
   const WholePair way{to[0] - at_[0], to[1] - at_[1]};
   if (!is_usual_position(to) || !is_usual_way(way)) return false;
   if (motion == 10) {
     set_usual_line(*next_, way);
-    return true;
+    return next_->start.norm > loan_.shortest;
   }
   const int sigma = motion == 20 ? -1 : 1;
   if (radius != 0) [[unlikely]]
@@ -172,48 +176,64 @@ void UsualCutterPaths::leave() {
          has_offset_path(*next_, loan_.offset);
 }
 
-[[gnu::always_inline]] inline bool UsualCutterPaths::is_clear(DoublePair vector, double& sweep) const {
+[[gnu::always_inline]] inline bool UsualPaths::make_corner() {
+  return loan_.in_space && !held_->is_arc() && !next_->is_arc()
+             ? make_corner_of_seen_lines(*held_, *next_, loan_.offset, *end_)
+             : make_usual_corner(*held_, *next_, loan_.offset, *end_);
+}
+
+[[gnu::always_inline]] inline bool UsualPaths::is_clear(DoublePair vector, ToolArc& arc) const {
   const UsualPath& path = *held_;
   const DoublePair first = start_->back();
   if (!path.is_arc())
     return goes_forward(path.start.unit, path.start.norm, first, vector) || fault(Fault::usual_path_unchecked);
   const Vector2<double> a = to_vector(path.from_start + first);
   const Vector2<double> b = to_vector(path.from_end + vector);
+  if (path.spiral) {
+    // Radii that are almost equal take a closer look.
+    arc.radius = {length(a), length(b)};
+    const double size = path.radius[0] + path.radius[1] + loan_.offset.radius;
+    if (std::abs(arc.radius.first - arc.radius.second) <= 0x1p-36 * size) [[unlikely]]
+      return false;
+  }
   return is_off_center(path.radius[0], to_vector(first), a) && is_off_center(path.radius[1], to_vector(vector), b) &&
-         set_clear_sweep(path.sigma, to_vector(path.from_start), to_vector(path.from_end), a, b, sweep) &&
-         ((sweep > 180) == path.over_half || fault(Fault::usual_path_unchecked));
+         set_clear_sweep(path.sigma, to_vector(path.from_start), to_vector(path.from_end), a, b, arc.sweep) &&
+         ((arc.sweep > 180) == path.over_half || fault(Fault::usual_path_unchecked));
 }
 
-void UsualCutterPaths::send_corner_moves() {
-  const Event& owner = event_of(*held_);
-  const UsualCorner& corner = *start_;
+// Corner moves belong to the block whose event this is.
+void UsualPaths::own_corner_move(const Event& owner) {
   corner_move_.line = owner.line;
   corner_move_.n = owner.n;
+  corner_move_.feed = owner.feed;
+}
+
+void UsualPaths::send_corner_moves() {
+  const UsualCorner& corner = *start_;
   for (std::size_t i = 1; i < corner.size; ++i) {
+    if (!(loan_.in_space && is_up_to_stop(corner.kind[i])) || fault(Fault::usual_side_path_stop_owner))
+      own_corner_move(event_of(*held_));
     place_in_plane(corner_move_, axis_, start_value_, corner.vector[i]);
     loan_.sink->on(corner_move_);
   }
 }
 
-[[gnu::always_inline]] inline void UsualCutterPaths::send_path(DoublePair vector, double sweep) {
+[[gnu::always_inline]] inline void UsualPaths::send_path(DoublePair vector, const ToolArc& tool) {
   const UsualPath& path = *held_;
   Event& event = event_of(path);
   place_in_plane(event, axis_, at_value_, vector);
   if (path.is_arc()) {
     spec::Arc<double>& arc = *event.arc;
-    arc.sweep = sweep;
+    arc.sweep = tool.sweep;
     arc.radius.reset();
-    if (path.spiral && !fault(Fault::usual_path_spiral)) {
-      const DoublePair a = path.from_start + start_->back();
-      const DoublePair b = path.from_end + vector;
-      arc.radius = {length(to_vector(a)), length(to_vector(b))};
-    }
+    if (path.spiral && !fault(Fault::usual_path_spiral)) arc.radius = tool.radius;
   }
   loan_.sink->on(event);
 }
 
-[[gnu::always_inline]] inline void UsualCutterPaths::hold(const spec::Block& block, const Command& command) {
+[[gnu::always_inline]] inline void UsualPaths::hold(const spec::Block& block, const Command& command) {
   lent_ = false;
+  if (end_->size > 1) own_corner_move(event_of(*held_));
   UsualPath* const last = before_;
   before_ = held_;
   held_ = next_;
@@ -235,22 +255,21 @@ void UsualCutterPaths::send_corner_moves() {
     set_feed();
 }
 
-void UsualCutterPaths::set_feed() {
+void UsualPaths::set_feed() {
   control_.modal.set_feed(Count::nearest_small(words_[UsualWords::at('F')]));
-  if (!fault(Fault::usual_path_feed)) line_.feed = arc_.feed = corner_move_.feed = control_.modal.feed();
+  if (!fault(Fault::usual_path_feed)) line_.feed = arc_.feed = control_.modal.feed();
 }
 
-[[gnu::always_inline]] inline bool UsualCutterPaths::take(const spec::Block& block) {
+[[gnu::always_inline]] inline bool UsualPaths::take(const spec::Block& block) {
   Command command;
-  double sweep = 0;
+  ToolArc arc;
   if (block.alarm || !read(block, command) || !make_path(command)) [[unlikely]]
     return false;
   lines_ = next_->is_arc() ? 0 : lines_ + 1;
-  if (lines_ > kMostLines || !make_usual_corner(*held_, *next_, loan_.offset, *end_) || !is_clear(end_->front(), sweep))
-      [[unlikely]]
+  if (lines_ > kMostLines || !make_corner() || !is_clear(end_->front(), arc)) [[unlikely]]
     return false;
   if (start_->size > 1 && !fault(Fault::usual_path_corner_moves)) send_corner_moves();
-  send_path(end_->front(), sweep);
+  send_path(end_->front(), arc);
   hold(block, command);
   return true;
 }
