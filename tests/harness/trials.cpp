@@ -11,6 +11,8 @@
 #include "certify/convert.h"
 #include "fuzz/campaign/driver.h"
 #include "fuzz/campaign/long_program.h"
+#include "fuzz/gen/encode.h"
+#include "spec/language/byte_source.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -54,6 +56,25 @@ TEST(Trials, AreNotMadeOfWhatRepeatsMuch) {
   EXPECT_EQ(driver.result().acceptance[static_cast<std::size_t>(Acceptance::too_long)], 1U);
   c.program = "G01 X1 F100\nM98 P1 L100\nM30\nO1\nX2\nM99\n";
   EXPECT_EQ(try_short(c).acceptance, Acceptance::accepted);
+}
+
+// The axes of a tip far from the origin, which one axis of the table turns: 9 u M by the derivation in fuzz/README.md,
+// and no vector has a part in it.
+TEST(Trials, JudgeAxesTurnedFromFar) {
+  const spec::Case c =
+      decode("fanuc/leading-edge-offset",
+             spec::read_file(TOOLCOMP_SOURCE_DIR "/corpus/seeds/fanuc/leading_edge_offset_unrestricted/"
+                                                 "axes_turned_from_far.txt"));
+  const ModelRun run = run_model(c);
+  const std::vector<fast::Event> events = run_fast(c);
+  const auto worst = [&](const char* field) {
+    const Verdict v = judge(c, run, events, {{"kind", "line", field}, {}});
+    EXPECT_EQ(v.outcome, Outcome::agrees) << field;
+    return v.worst_ulp;
+  };
+  EXPECT_GT(worst("axes"), 1.5);
+  EXPECT_LE(worst("axes"), 9);
+  EXPECT_LE(worst("point"), 1.5);
 }
 
 // A drilling cycle is not known here: of a controller what goes before it is judged, and nothing it does from there on.
