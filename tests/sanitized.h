@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a test runs under AddressSanitizer, where memory is reserved otherwise and exact numbers are slow.
+// Whether a test runs under AddressSanitizer or ThreadSanitizer, where memory is reserved otherwise and exact numbers are
+// slow.
 #pragma once
 
 #include <cstdint>
@@ -7,12 +8,12 @@
 namespace toolcomp::test {
 
 #if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define TOOLCOMP_UNDER_ADDRESS_SANITIZER
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define TOOLCOMP_UNDER_SANITIZER
 #endif
 #endif
 
-#ifdef TOOLCOMP_UNDER_ADDRESS_SANITIZER
+#ifdef TOOLCOMP_UNDER_SANITIZER
 inline constexpr bool kSanitized = true;
 #else
 inline constexpr bool kSanitized = false;
