@@ -441,11 +441,15 @@ class Comparison {
     else
       count(granted);
     const bool linear = measure == Measure::length;
+    const bool told_in_um = linear && granted <= rules_.cap_um();
+    // A distance that is granted and not the worst is of no further interest.
+    if (const double most = outside_at_most(e, a); most <= k * unit && most / unit <= tally_.worst_ulp &&
+                                                   (!told_in_um || most * rules_.um_per_unit() <= tally_.worst_um))
+      return false;
     const double distance = outside(e, a);
     if (distance == 0) return false;
     if (unit > 0) tally_.worst_ulp = std::max(tally_.worst_ulp, distance / unit);
-    if (linear && granted <= rules_.cap_um())
-      tally_.worst_um = std::max(tally_.worst_um, distance * rules_.um_per_unit());
+    if (told_in_um) tally_.worst_um = std::max(tally_.worst_um, distance * rules_.um_per_unit());
     if (distance <= k * unit + rounded_off(e, a, distance, measure)) return false;
     if (linear) difference_.deviation_um = distance * rules_.um_per_unit();
     return differ(std::string(kind), path.text(), fuzz::text(e), fuzz::text(a));
@@ -480,6 +484,15 @@ class Comparison {
   bool found_ = false;
 };
 
+// Whether the margin is certainly larger: most are, which is told without a finer enclosure.
+bool is_beyond(const model::Decision& decision, double band) {
+  const exact::DoubleEnclosure quantity = decision.quantity.rough_enclosure();
+  const exact::DoubleEnclosure scale = decision.scale.rough_enclosure();
+  const double least = std::max({quantity.lower, -quantity.upper, 0.0});
+  const double greatest = std::max(-scale.lower, scale.upper);
+  return least > std::nextafter(band * greatest, std::numeric_limits<double>::infinity());
+}
+
 }  // namespace
 
 Rules::Rules(const spec::Setup& setup, std::string_view section, const JudgeOptions& options)
@@ -498,8 +511,8 @@ bool Rules::is_near_tie(const model::Decision& decision, double band, const Posi
   if (policy::compares_positions(decision.clause))
     band = std::max(
         {band, std::min(band * positions.at(decision.line), policy::kWidestBand), positions.deviation(decision.line)});
-  const bool square = !rounds() && policy::is_square(decision.clause);
-  if (margin(decision) > (square ? band * band : band)) return false;
+  if (!rounds() && policy::is_square(decision.clause)) band *= band;
+  if (is_beyond(decision, band) || margin(decision) > band) return false;
   const bool scale_is_one = decision.scale.is_rational() && decision.scale.rational() == 1;
   if (rounds() || !policy::compares_exactly(decision.clause, scale_is_one)) return true;
   if (!decision.quantity.is_rational() || decision.quantity.rational() != 0 || !decision.scale.is_rational())

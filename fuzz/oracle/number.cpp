@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "fuzz/oracle/policy.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -15,6 +18,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 double upwards(const exact::Rational& value) {
   return value == 0 ? 0 : std::nextafter(value.convert_to<double>(), kInfinity);
 }
+
+double middle(const exact::DoubleEnclosure& e) { return e.lower + (e.upper - e.lower) / 2; }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -36,6 +41,16 @@ double outside(const exact::Real& exact, const exact::Rational& actual) {
   return 0;
 }
 
+double outside_at_most(const exact::Real& exact, double actual) {
+  if (!std::isfinite(actual)) return kInfinity;
+  const exact::DoubleEnclosure e = exact.rough_enclosure();
+  // What may be 0 is to be proven to be: events then say so.
+  if (e.lower <= 0 && e.upper >= 0) return kInfinity;
+  return std::nextafter(std::max(std::fabs(actual - e.lower), std::fabs(actual - e.upper)), kInfinity);
+}
+
+double outside_at_most(const exact::Real& /*exact*/, const exact::Rational& /*actual*/) { return kInfinity; }
+
 double signed_distance(const exact::Real& exact, double actual) {
   if (!std::isfinite(actual)) return actual;
   return signed_distance(exact, exact::Rational(actual));
@@ -48,9 +63,12 @@ double signed_distance(const exact::Real& exact, const exact::Rational& actual) 
 bool is_finite(double x) { return std::isfinite(x); }
 bool is_finite(const exact::Rational&) { return true; }
 
-double approximate(const exact::Real& exact) {
-  const exact::DoubleEnclosure e = exact.double_enclosure();
-  return e.lower + (e.upper - e.lower) / 2;
+double approximate(const exact::Real& exact) { return middle(exact.double_enclosure()); }
+
+double roughly(const exact::Real& exact) {
+  const exact::DoubleEnclosure rough = exact.rough_enclosure();
+  const double size = std::min(std::fabs(rough.lower), std::fabs(rough.upper));
+  return rough.upper - rough.lower <= policy::kWellKnown * size ? middle(rough) : approximate(exact);
 }
 
 double approximate(const spec::Decimal& value) {

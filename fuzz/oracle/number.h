@@ -15,6 +15,10 @@ namespace toolcomp::fuzz {
 double outside(const exact::Real& exact, double actual);
 double outside(const exact::Real& exact, const exact::Rational& actual);
 
+// No less than outside(), and told without a finer enclosure; infinity where it is not known.
+double outside_at_most(const exact::Real& exact, double actual);
+double outside_at_most(const exact::Real& exact, const exact::Rational& actual);
+
 // `actual` less `exact`, to double precision; NaN for NaN.
 double signed_distance(const exact::Real& exact, double actual);
 double signed_distance(const exact::Real& exact, const exact::Rational& actual);
@@ -25,6 +29,8 @@ bool is_finite(const exact::Rational& x);
 // The value to double precision, for scales and conditions.
 double approximate(const exact::Real& exact);
 double approximate(const spec::Decimal& value);
+// The same for sizes, to some numbers of double (policy.h): it needs no finer enclosure where nothing cancels.
+double roughly(const exact::Real& exact);
 
 // For people: 15 decimals of an exact value, the shortest text of a double, the decimals of a rational.
 std::string text(const exact::Real& exact);

@@ -27,7 +27,7 @@ template <class Number>
 std::optional<Vector> Pairing<Number>::shift(const model::Event& sample, const Scale& scale) const {
   if (!head_ || !placed_ || !scale.between) return std::nullopt;
   const Real t = Real(Rational(sample.t_numerator, sample.t_denominator));
-  return (1 - t) * head_->off;
+  return (1 - t) * head_->end().off;
 }
 
 template <class Number>
@@ -90,8 +90,8 @@ std::optional<Difference> Pairing<Number>::compared(const model::Event& expected
   const bool uncertain =
       std::max(scale.start, scale.vector > 0 ? scale.condition * policy::ulp(scale.vector) : 0) > policy::kByConditions;
   if (expected.arc && uncertain && head_)
-    if (const auto by = off(expected, actual)) {
-      if (auto arc = fitted(*expected.arc, *head_, {space(expected.point), *by}, index_)) {
+    if (const auto end = heads(expected, actual)) {
+      if (auto arc = fitted(*expected.arc, head_->end(), end->end(), index_)) {
         model::Event own = expected;
         own.arc = std::move(arc);
         Scale narrow = scale;
@@ -103,31 +103,32 @@ std::optional<Difference> Pairing<Number>::compared(const model::Event& expected
 }
 
 template <class Number>
-std::optional<Vector> Pairing<Number>::off(const model::Event& expected, const spec::Event<Number>& actual) const {
+std::optional<typename Pairing<Number>::Heads> Pairing<Number>::heads(const model::Event& expected,
+                                                                      const spec::Event<Number>& actual) const {
   if (!rules_.judges("point")) return std::nullopt;
-  Vector off;
+  Heads result;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t axis = index_.at(i);
     if (axis == spec::Axes::kNone || !expected.point.has(axis)) continue;
     if (!actual.point.has(axis) || !is_finite(actual.point[axis])) return std::nullopt;
-    model::component(off, i) = Real(Rational(actual.point[axis])) - expected.point[axis];
+    model::component(result.expected, i) = expected.point[axis];
+    result.actual.at(i) = actual.point[axis];
   }
-  return off;
+  return result;
 }
 
+// How far the controller's lies off the exact one.
 template <class Number>
-Vector Pairing<Number>::space(const spec::AxisValues<Real>& values) const {
-  Vector v;
+ArcEnd Pairing<Number>::Heads::end() const {
+  Vector off;
   for (std::size_t i = 0; i < 3; ++i)
-    if (index_.at(i) != spec::Axes::kNone && values.has(index_.at(i))) model::component(v, i) = values[index_.at(i)];
-  return v;
+    model::component(off, i) = Real(Rational(actual.at(i))) - model::component(expected, i);
+  return {expected, off};
 }
 
 template <class Number>
 void Pairing<Number>::follow(const model::Event& expected, const spec::Event<Number>& actual) {
-  if (expected.kind != EventKind::move) return;
-  head_.reset();
-  if (const auto by = off(expected, actual)) head_ = {space(expected.point), *by};
+  if (expected.kind == EventKind::move) head_ = heads(expected, actual);
 }
 
 template class Pairing<double>;

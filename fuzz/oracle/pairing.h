@@ -50,15 +50,21 @@ class Pairing {
   void follow(const model::Event& expected, const spec::Event<Number>& actual);
   std::optional<Difference> compared(const model::Event& expected, const Scale& scale,
                                      const spec::Event<Number>& actual, Tally& tally) const;
-  [[nodiscard]] model::Vector space(const spec::AxisValues<model::Real>& values) const;
-  // How far the controller's point lies off the exact one; nothing where it does not say.
-  [[nodiscard]] std::optional<model::Vector> off(const model::Event& expected, const spec::Event<Number>& actual) const;
+  // X Y Z of the points of both; nothing where the controller does not say.
+  struct Heads {
+    model::Vector expected;
+    std::array<Number, 3> actual{};
+
+    [[nodiscard]] ArcEnd end() const;
+    void state(spec::StateWriter& out) const { out.all<2>(*this); }
+  };
+  [[nodiscard]] std::optional<Heads> heads(const model::Event& expected, const spec::Event<Number>& actual) const;
 
   const Rules& rules_;
   Conditions conditions_;
   PoseFit<Number> fit_;
   std::array<std::size_t, 3> index_;  // of X Y Z
-  std::optional<ArcEnd> head_;        // of the move before
+  std::optional<Heads> head_;         // of the move before
   bool placed_ = false;               // two conditions placed it
 };
 

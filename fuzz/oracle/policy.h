@@ -293,6 +293,10 @@ inline constexpr double kWidestBand = 0x1p-12;
 // The oracle estimates condition numbers in double: its estimates are widened by this share, far above their rounding.
 inline constexpr double kSlack = 0x1p-30;
 
+// A value of which an enclosure so narrow is at hand, relative to its size, is known well enough for such estimates:
+// some numbers of double.
+inline constexpr double kWellKnown = 0x1p-47;
+
 // What an estimate in double may carry of a value that is exactly zero, relative to its terms: a few roundings.
 inline constexpr double kEstimateNoise = 0x1p-44;
 

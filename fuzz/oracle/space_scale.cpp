@@ -18,6 +18,8 @@ Space space_of(const std::array<exact::Real, 3>& v) {
   return {approximate(v[0]), approximate(v[1]), approximate(v[2])};
 }
 
+Space rough_space_of(const std::array<exact::Real, 3>& v) { return {roughly(v[0]), roughly(v[1]), roughly(v[2])}; }
+
 double length(const Space& v) { return std::hypot(v[0], v[1], v[2]); }
 double dot(const Space& a, const Space& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Space difference(const Space& a, const Space& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
@@ -39,7 +41,7 @@ std::optional<double> error_of(const Space& tool, const Space& from, const Space
 }
 
 double largest(double size, const std::array<exact::Real, 3>& v) {
-  for (const exact::Real& x : v) size = std::max(size, std::fabs(approximate(x)));
+  for (const exact::Real& x : v) size = std::max(size, std::fabs(roughly(x)));
   return size;
 }
 
@@ -74,7 +76,7 @@ Scale SpaceScales::next(std::span<const model::Event> window) {
   const auto include = [&](const spec::AxisValues<model::Real>& values) {
     for (std::size_t i = 0; i < spec::kMaxAxes; ++i)
       if (event.programmed.has(i) && values.has(i))
-        scale.position = std::max(scale.position, std::fabs(approximate(values[i])));
+        scale.position = std::max(scale.position, std::fabs(roughly(values[i])));
   };
   include(event.programmed);
   include(event.point);
@@ -98,10 +100,13 @@ double SpaceScales::face(const model::Event& event) const {
   if (!event.tool_axis) return 0;
   const spec::Contact<model::Real>& contact = *event.space->contact;
   double error = 0;
-  const Space contact_to_center = difference(space_of(event.space->tool_center), space_of(contact.point));
+  const Space contact_to_center = difference(rough_space_of(event.space->tool_center), rough_space_of(contact.point));
   const double ring = std::max(radius_ * to_program_, length(contact_to_center));
   if (!contact.flat) {
-    const double sine = length(cross(space_of(contact.normal), space_of(*event.tool_axis)));
+    double sine = length(cross(rough_space_of(contact.normal), rough_space_of(*event.tool_axis)));
+    // Nearly parallel: what is rough would be seen.
+    if (sine * policy::kSlack < policy::kWellKnown)
+      sine = length(cross(space_of(contact.normal), space_of(*event.tool_axis)));
     error = policy::ulp(ring) / std::max(sine, policy::kParallel);
   }
   if (contact.angle) error += steepest(approximate(*contact.angle)) * to_program_ * policy::ulp(kHalfTurn);

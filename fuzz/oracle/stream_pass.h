@@ -3,11 +3,12 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -38,20 +39,57 @@ struct Place {
 };
 using Choices = std::map<Place, Sign>;
 
+// Events that wait, one behind another in memory.
+template <class Event>
+class Waiting {
+ public:
+  [[nodiscard]] bool empty() const { return first_ == events_.size(); }
+  [[nodiscard]] std::size_t size() const { return events_.size() - first_; }
+  [[nodiscard]] std::span<const Event> all() const { return std::span(events_).subspan(first_); }
+  [[nodiscard]] const Event& front() const { return events_[first_]; }
+  [[nodiscard]] const Event& operator[](std::size_t i) const { return events_[first_ + i]; }
+
+  void push_back(const Event& event) {
+    // Those that are gone are half of them at least.
+    if (first_ >= kGone && first_ >= size()) forget_gone();
+    events_.push_back(event);
+  }
+  void pop_front() { ++first_; }
+  template <class Is>
+  void erase_if(const Is& is) {
+    forget_gone();
+    std::erase_if(events_, is);
+  }
+
+  void state(spec::StateWriter& out) const {
+    out(size());
+    for (const Event& event : all()) out(event);
+  }
+
+ private:
+  static constexpr std::size_t kGone = 16;
+  void forget_gone() {
+    events_.erase(events_.begin(), events_.begin() + static_cast<std::ptrdiff_t>(first_));
+    first_ = 0;
+  }
+  std::vector<Event> events_;
+  std::size_t first_ = 0;
+};
+
 struct Expected final : spec::EventSink<model::Real> {
   explicit Expected(const spec::Setup& setup) : positions(setup) {}
   void on(const model::Event& event) override {
     positions.follow(event);
     events.push_back(event);
   }
-  std::deque<model::Event> events;
+  Waiting<model::Event> events;
   PositionErrors positions;
 };
 
 template <class Number>
 struct Actual final : spec::EventSink<Number> {
   void on(const spec::Event<Number>& event) override { events.push_back(event); }
-  std::deque<spec::Event<Number>> events;
+  Waiting<spec::Event<Number>> events;
 };
 
 // One pass. Decisions of the current and the previous epoch are kept. `Fast`: the fast engine, or what it, or a
@@ -173,8 +211,7 @@ class Pass {
         undecided_ = true;
         return;
       }
-      look_ahead();
-      verdict_.difference = pairing_.next(window_, actual_.events.front(), tally_);
+      verdict_.difference = pairing_.next(look_ahead(), actual_.events.front(), tally_);
       if (verdict_.difference) {
         verdict_.difference->event = compared_;
         return;
@@ -193,17 +230,21 @@ class Pass {
   // Events of the model before this line are compared with none.
   void pass_by(std::uint64_t line) {
     while (expected_.events.size() > window() && expected_.events.front().line < line) {
-      look_ahead();
-      pairing_.pass_by(window_);
+      pairing_.pass_by(look_ahead());
       expected_.events.pop_front();
     }
   }
 
   // The event to compare and the moves behind it; samples between them say nothing about the next movement.
-  void look_ahead() {
-    window_.assign(1, expected_.events.front());
-    for (std::size_t i = 1; i < expected_.events.size() && window_.size() < kWindow; ++i)
-      if (expected_.events[i].kind != EventKind::sample) window_.push_back(expected_.events[i]);
+  std::span<const model::Event> look_ahead() {
+    const std::span<const model::Event> events = expected_.events.all();
+    const auto next = events.first(std::min(kWindow, events.size()));
+    const auto is_sample = [](const model::Event& event) { return event.kind == EventKind::sample; };
+    if (std::none_of(next.begin() + 1, next.end(), is_sample)) return next;
+    window_.assign(1, events.front());
+    for (std::size_t i = 1; i < events.size() && window_.size() < kWindow; ++i)
+      if (!is_sample(events[i])) window_.push_back(events[i]);
+    return window_;
   }
 
   void leftovers() {

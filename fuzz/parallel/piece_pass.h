@@ -177,7 +177,7 @@ class PiecePass final : public PieceWork, private stream::Pass<Control, Given, t
       const bool there = !expected.empty() && expected.front().line >= line;
       if (there) this->fast_.begin_at(expected.front().line);
       this->fast_.block(lead[i]);
-      std::erase_if(this->actual_.events, [line](const auto& event) { return event.line < line; });
+      this->actual_.events.erase_if([line](const auto& event) { return event.line < line; });
       if (there || expected.empty()) this->compare_pairs(this->window());
       if (this->over()) return false;
     }

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/basis/number.h"
 
+#include <cstdint>
+#include <numeric>
+
 namespace toolcomp::model {
 namespace {
 
-using exact::Integer;
-
-Integer power_of_ten(unsigned exponent) {
-  Integer power = 1;
+// Of up to spec::Decimal::kMaxDigits digits.
+std::uint64_t power_of_ten(unsigned exponent) {
+  std::uint64_t power = 1;
   while (exponent-- != 0) power *= 10;
   return power;
 }
@@ -27,7 +29,10 @@ Rational least_increment(spec::IncrementSystem system) {
 }  // namespace
 
 Rational plain(const spec::Decimal& value) {
-  Rational result(Integer(value.digits), power_of_ten(value.decimals));
+  const std::uint64_t divisor = power_of_ten(value.decimals);
+  const std::uint64_t common = std::gcd(value.digits, divisor);
+  Rational result;
+  mpq_set_ui(result.backend().data(), value.digits / common, divisor / common);
   return value.negative ? -result : result;
 }
 

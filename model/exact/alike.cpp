@@ -28,7 +28,7 @@ bool alike(const Real& a, const Real& b) {
     if (x == y || !seen.insert(pair).second) continue;
     // The null pointer is 0 or no operand.
     if (x == nullptr || y == nullptr || x->kind != y->kind || seen.size() > budget) return false;
-    if (has_value(*x) && mpq_equal(x->value, y->value) == 0) return false;
+    if (has_value(*x) && !x->value.equals(y->value)) return false;
     open.emplace_back(x->left, y->left);
     open.emplace_back(x->right, y->right);
   }

@@ -2,6 +2,7 @@
 // What is read out of a value: bounds, doubles and decimals.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "model/exact/node.h"
@@ -10,6 +11,8 @@
 
 namespace toolcomp::exact {
 namespace {
+
+__extension__ typedef unsigned __int128 TwoWords;  // NOLINT(modernize-use-using): the attribute needs a typedef
 
 // Bounds are for people and verdicts, never for decisions: they may cost more than a decision.
 constexpr std::int64_t readout_work = 250'000;
@@ -23,8 +26,23 @@ Rational rational_of(const mpfr_t x) {
 
 bool is_finite(const Interval& x) { return mpfr_number_p(x.lower) != 0 && mpfr_number_p(x.upper) != 0; }
 
+// The same, told by two limbs: none where the ends are no numbers of one sign and exponent.
+std::optional<bool> is_narrow_by_limbs(const Interval& x, int bits) {
+  if (x.precision() != base_precision || mpfr_regular_p(x.lower) == 0 || mpfr_regular_p(x.upper) == 0 ||
+      mpfr_get_exp(x.lower) != mpfr_get_exp(x.upper) || mpfr_signbit(x.lower) != mpfr_signbit(x.upper))
+    return std::nullopt;
+  const auto digits = [](mpfr_srcptr end) {
+    const auto* const limbs = static_cast<const mp_limb_t*>(mpfr_custom_get_significand(end));
+    return TwoWords{limbs[1]} << GMP_NUMB_BITS | limbs[0];
+  };
+  const TwoWords a = digits(x.lower);
+  const TwoWords b = digits(x.upper);
+  return (a < b ? b - a : a - b) <= (bits < base_precision ? std::min(a, b) >> bits : 0);
+}
+
 // Whether the width is at most 2^-bits of the size.
 bool is_narrow(const Interval& x, int bits) {
+  if (const auto known = is_narrow_by_limbs(x, bits)) return *known;
   if (!is_finite(x)) return false;
   if (mpfr_equal_p(x.lower, x.upper) != 0) return true;
   if (mpfr_sgn(x.lower) <= 0 && mpfr_sgn(x.upper) >= 0) return false;
@@ -146,12 +164,17 @@ Enclosure Real::enclosure(int bits) const {
 
 DoubleEnclosure Real::double_enclosure() const {
   if (node_ == nullptr) return {};
+  if (is_rational()) {
+    // Of short numbers these are two neighbours, or a point.
+    const DoubleEnclosure& bounds = node_->bounds();
+    return bounds.upper <= above(bounds.lower) ? bounds : enclosing(node_->base_enclosure());
+  }
   const bool known = try_decide(*node_).has_value();
-  const Interval& bounds = is_rational() ? node_->base_enclosure()
-                           : known       ? narrowed(*node_, 64)
-                                         : node_->best_enclosure();
-  return {mpfr_get_d(bounds.lower, MPFR_RNDD), mpfr_get_d(bounds.upper, MPFR_RNDU)};
+  if (is_rational()) return {};
+  return enclosing(known ? narrowed(*node_, 64) : node_->best_enclosure());
 }
+
+DoubleEnclosure Real::rough_enclosure() const { return node_ == nullptr ? DoubleEnclosure{} : node_->bounds(); }
 
 std::string Real::decimal(int digits) const { return digits_of(rounded(*this * Real(power_of_ten(digits))), digits); }
 

@@ -43,7 +43,8 @@ constexpr DoubleEnclosure around(double a, double b, double c, double d) {
 /// As for an Interval.
 std::optional<Sign> certain_sign(const DoubleEnclosure& x);
 
-DoubleEnclosure enclosing(const mpq_t value);
+/// numerator / denominator, which may have a common divisor; the second is positive.
+DoubleEnclosure enclosing(mpz_srcptr numerator, mpz_srcptr denominator);
 DoubleEnclosure enclosing(const Interval& x);
 /// What two enclosures of one value share.
 constexpr DoubleEnclosure intersection(const DoubleEnclosure& x, const DoubleEnclosure& y) {

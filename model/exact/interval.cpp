@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/exact/interval.h"
 
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+
 namespace toolcomp::exact {
 namespace {
 
@@ -38,6 +42,67 @@ void multiply_mixed(Interval& result, const Interval& x, const Interval& y) {
   if (mpfr_greater_p(other.upper, result.upper)) mpfr_set(result.upper, other.upper, MPFR_RNDU);
 }
 
+// A number of two limbs.
+struct Digits {
+  std::array<mp_limb_t, 2> limbs{};
+  mpfr_exp_t exponent = 0;
+
+  void increase() {
+    for (mp_limb_t& limb : limbs)
+      if (++limb != 0) return;
+    limbs[1] = mp_limb_t{1} << (GMP_NUMB_BITS - 1);
+    ++exponent;
+  }
+  void put(mpfr_ptr x, bool negative) const {
+    auto* const significand = static_cast<mp_limb_t*>(mpfr_custom_get_significand(x));
+    significand[0] = limbs[0];
+    significand[1] = limbs[1];
+    mpfr_custom_init_set(x, negative ? -MPFR_REGULAR_KIND : MPFR_REGULAR_KIND, exponent, base_precision, significand);
+  }
+};
+
+// By a quotient of 129 bits or more, cut off behind 128; in a quarter of MPFR's time. Of longer numbers false.
+bool set_at_base_precision(Interval& result, mpz_srcptr numerator, mpz_srcptr denominator) {
+  constexpr std::size_t most = 16;
+  constexpr std::size_t limbs_for_129_bits = 3;
+  const std::size_t size = mpz_size(numerator);
+  const std::size_t divisor = mpz_size(denominator);
+  if (result.precision() != base_precision || size == 0 || size > most || divisor > most) return false;
+  const std::size_t wanted = divisor + limbs_for_129_bits;
+  const std::size_t added = size < wanted ? wanted - size : 0;
+  using Limbs = std::array<mp_limb_t, 2 * most + limbs_for_129_bits>;
+  Limbs quotient;  // NOLINT(cppcoreguidelines-pro-type-member-init): what is read of it is written
+  bool inexact = false;
+  std::size_t last = size + added - divisor;
+  if (divisor == 1) {
+    inexact = mpn_divrem_1(quotient.data(), static_cast<mp_size_t>(added), mpz_limbs_read(numerator),
+                           static_cast<mp_size_t>(size), mpz_getlimbn(denominator, 0)) != 0;
+  } else {
+    Limbs dividend;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+    Limbs rest;      // NOLINT(cppcoreguidelines-pro-type-member-init)
+    std::fill_n(dividend.begin(), added, 0);
+    std::copy_n(mpz_limbs_read(numerator), size, dividend.begin() + static_cast<std::ptrdiff_t>(added));
+    mpn_tdiv_qr(quotient.data(), rest.data(), 0, dividend.data(), static_cast<mp_size_t>(size + added),
+                mpz_limbs_read(denominator), static_cast<mp_size_t>(divisor));
+    inexact = mpn_zero_p(rest.data(), static_cast<mp_size_t>(divisor)) == 0;
+  }
+  if (quotient.at(last) == 0) --last;
+  const auto zeros = static_cast<unsigned>(std::countl_zero(quotient.at(last)));
+  const auto from = [&](std::size_t limb) {
+    return zeros == 0 ? quotient.at(limb)
+                      : quotient.at(limb) << zeros | quotient.at(limb - 1) >> (GMP_NUMB_BITS - zeros);
+  };
+  Digits digits{{from(last - 1), from(last)},
+                GMP_NUMB_BITS * (static_cast<mpfr_exp_t>(last + 1) - static_cast<mpfr_exp_t>(added)) - zeros};
+  inexact = inexact || quotient.at(last - 2) << zeros != 0 ||
+            (last > 2 && mpn_zero_p(quotient.data(), static_cast<mp_size_t>(last - 2)) == 0);
+  const bool negative = mpz_sgn(numerator) < 0;
+  digits.put(negative ? result.upper : result.lower, negative);
+  if (inexact) digits.increase();
+  digits.put(negative ? result.lower : result.upper, negative);
+  return true;
+}
+
 }  // namespace
 
 InlineInterval::InlineInterval() {
@@ -57,7 +122,11 @@ std::optional<Sign> certain_sign(const Interval& x) {
   return std::nullopt;
 }
 
-void set(Interval& result, const mpq_t value) {
+void set(Interval& result, mpz_srcptr numerator, mpz_srcptr denominator) {
+  if (set_at_base_precision(result, numerator, denominator)) return;
+  mpq_t value;
+  *mpq_numref(value) = *numerator;  // seen, not copied
+  *mpq_denref(value) = *denominator;
   const int inexact = mpfr_set_q(result.lower, value, MPFR_RNDD);
   mpfr_set(result.upper, result.lower, MPFR_RNDU);
   // Rounded down, the value lies strictly between this number and the next.

@@ -57,7 +57,8 @@ struct HeapInterval : Interval {
 std::optional<Sign> certain_sign(const Interval& x);
 
 // Each sets `result`, which must be another object than the operands, at its own precision.
-void set(Interval& result, const mpq_t value);  ///< the only way in for a rational
+/// numerator / denominator, the only way in for a rational; they may have a common divisor, the second is positive.
+void set(Interval& result, mpz_srcptr numerator, mpz_srcptr denominator);
 void set(Interval& result, const mpz_t value);
 void set(Interval& result, const Interval& x);
 /// Keeps of `result` what is also in `x`; both must enclose one value.

@@ -61,16 +61,7 @@ Node* grow() {
   return first;
 }
 
-void trim(mpz_ptr z) {
-  if (z->_mp_alloc <= kept_limbs) return;
-  mpz_set_ui(z, 1);
-  mpz_realloc2(z, GMP_NUMB_BITS);
-}
-
 }  // namespace
-
-Node::Node() { mpq_init(value); }
-Node::~Node() { mpq_clear(value); }
 
 void Node::make_bounds() {
   bounds_in_double = enclosed_in_double(*this, left == nullptr ? whole_line : left->bounds(),
@@ -80,21 +71,36 @@ void Node::make_bounds() {
 
 const Interval& Node::base_enclosure() {
   if (enclosed) return enclosure;
+  if (!has_open_operand()) {
+    make_enclosure();
+    return enclosure;
+  }
   // No walk of operands_first, which may be under way around this one: what is done is told by `enclosed`.
   std::vector<Node*> open{this};
   while (!open.empty()) {
     Node& node = *open.back();
-    bool ready = true;
-    for (Node* operand : {node.left, node.right}) {
-      if (operand == nullptr || operand->enclosed) continue;
-      open.push_back(operand);
-      ready = false;
+    if (node.has_open_operand()) {
+      for (Node* operand : {node.left, node.right})
+        if (operand != nullptr && !operand->enclosed) open.push_back(operand);
+    } else {
+      open.pop_back();
+      if (!node.enclosed) node.make_enclosure();
     }
-    if (!ready) continue;
-    open.pop_back();
-    if (!node.enclosed) node.make_enclosure();
   }
   return enclosure;
+}
+
+// An operand whose enclosure is not made yet; that of a number without operands is made here.
+bool Node::has_open_operand() {
+  bool open = false;
+  for (Node* operand : {left, right}) {
+    if (operand == nullptr || operand->enclosed) continue;
+    if (operand->left == nullptr)
+      operand->make_enclosure();
+    else
+      open = true;
+  }
+  return open;
 }
 
 void Node::make_enclosure() {
@@ -110,7 +116,7 @@ void Node::become_zero() {
     if (operand != nullptr) release(operand);
   refined.reset();
   kind = Kind::rational;
-  mpq_set_ui(value, 0, 1);
+  value.set(0L);
   bounded = enclosed = false;
 }
 
@@ -138,8 +144,7 @@ void release(Node* node) noexcept {
     for (Node* operand : {dead->left, dead->right})
       if (operand != nullptr && --operand->references == 0) operand->next = std::exchange(waiting, operand);
     dead->refined.reset();
-    trim(mpq_numref(dead->value));
-    trim(mpq_denref(dead->value));
+    if (dead->left == nullptr) dead->value.trim(kept_limbs);
     dead->next = std::exchange(pool.free, dead);
     --pool.live;
   }

@@ -2,8 +2,6 @@
 // The nodes behind Real: rationals and operations on other nodes, pooled and reference-counted within one thread.
 #pragma once
 
-#include <gmp.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -11,6 +9,7 @@
 
 #include "model/exact/double_enclosure.h"
 #include "model/exact/interval.h"
+#include "model/exact/rational_value.h"
 
 namespace toolcomp::exact {
 
@@ -44,13 +43,13 @@ struct Node {
   Node* left = nullptr;     ///< operand, counted
   Node* right = nullptr;    ///< second operand, counted; the factor of a square is both
   Node* next = nullptr;     ///< in the free list
-  mpq_t value;  ///< the rational, or the degrees of a sine or cosine, between 0 and 90; its limbs are kept for reuse
+  RationalValue value;      ///< or the degrees of a sine or cosine, between 0 and 90; its limbs are kept for reuse
   DoubleEnclosure bounds_in_double;
   InlineInterval enclosure;
   std::unique_ptr<HeapInterval> refined;  ///< at a higher precision, once needed
 
-  Node();
-  ~Node();
+  Node() = default;
+  ~Node() = default;
   Node(const Node&) = delete;
   Node& operator=(const Node&) = delete;
   Node(Node&&) = delete;
@@ -67,7 +66,7 @@ struct Node {
   }
 
   [[nodiscard]] bool is_rational() const { return kind == Kind::rational; }
-  [[nodiscard]] bool is_zero() const { return is_rational() && mpq_sgn(value) == 0; }
+  [[nodiscard]] bool is_zero() const { return is_rational() && value.sign() == 0; }
   /// The enclosure in double, made now for a rational that has none yet.
   const DoubleEnclosure& bounds() {
     if (!bounded) make_bounds();
@@ -82,6 +81,7 @@ struct Node {
 
  private:
   void make_bounds();
+  bool has_open_operand();
   void make_enclosure();  // the operands have theirs
 };
 

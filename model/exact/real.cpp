@@ -9,7 +9,6 @@
 
 #include "model/exact/node.h"
 #include "model/exact/refinement.h"
-#include "model/exact/short_rational.h"
 #include "model/exact/sign.h"
 #include "model/exact/trigonometry.h"
 
@@ -17,10 +16,7 @@ namespace toolcomp::exact {
 namespace {
 
 bool is_zero(const Node* node) { return node == nullptr || node->is_zero(); }
-bool is_integer(const Node& node, long value) {
-  return node.is_rational() && mpz_cmp_si(mpq_numref(node.value), value) == 0 &&
-         mpz_cmp_ui(mpq_denref(node.value), 1) == 0;
-}
+bool is_unit(const Node& node, int value) { return node.is_rational() && node.value.is_unit(value); }
 bool is_negation(const Node& node) { return node.kind == Kind::negation; }
 // A sum or product with a rational operand has it on the left.
 bool has_rational(const Node& node, Kind kind) { return node.kind == kind && node.left->is_rational(); }
@@ -72,7 +68,7 @@ std::optional<Real> difference_of_sums(Node* x, int depth_of_x, Node* y, int dep
 
 // A rational node whose value has just been computed.
 Real settle(Node* node) {
-  if (mpq_sgn(node->value) != 0) return Node::adopt(node);
+  if (node->value.sign() != 0) return Node::adopt(node);
   release(node);
   return {};
 }
@@ -89,35 +85,32 @@ Real operation(Kind kind, Node* left, Node* right = nullptr) {
   return Node::adopt(node);
 }
 
-using RationalOperation = void(mpq_ptr, mpq_srcptr, mpq_srcptr);
-Real fold(RationalOperation* compute, const Node& a, const Node& b) {
+using RationalOperation = void (RationalValue::*)(const RationalValue&, const RationalValue&);
+Real fold(RationalOperation compute, const Node& a, const Node& b) {
   Node* const node = new_node(Kind::rational);
-  compute(node->value, a.value, b.value);
+  (node->value.*compute)(a.value, b.value);
   return settle(node);
 }
 
 Real inverse(const Node& rational) {
   Node* const node = new_node(Kind::rational);
-  mpq_inv(node->value, rational.value);
+  node->value.invert(rational.value);
   return Node::adopt(node);
 }
 
 // A root that is rational, or none.
 std::optional<Real> rational_root(const Node& radicand) {
-  mpz_srcptr numerator = mpq_numref(radicand.value);
-  mpz_srcptr denominator = mpq_denref(radicand.value);
-  if (mpz_perfect_square_p(numerator) == 0 || mpz_perfect_square_p(denominator) == 0) return std::nullopt;
   Node* const node = new_node(Kind::rational);
-  mpz_sqrt(mpq_numref(node->value), numerator);
-  mpz_sqrt(mpq_denref(node->value), denominator);
-  return Node::adopt(node);
+  if (node->value.root(radicand.value)) return Node::adopt(node);
+  release(node);
+  return std::nullopt;
 }
 
 Real sine_or_cosine(Kind kind, const mpq_t degrees) {
   // The only rational ones strictly between 0 and 90 degrees.
   if (mpq_cmp_ui(degrees, kind == Kind::sine ? 30 : 60, 1) == 0) return Rational(1, 2);
   Node* const node = new_node(kind);
-  mpq_set(node->value, degrees);
+  node->value.set(degrees);
   node->bounds();
   return Node::adopt(node);
 }
@@ -128,12 +121,17 @@ struct Quadrant {
   int quarter;
 };
 Quadrant quadrant(const Rational& degrees) {
-  const Integer per_quarter = 90 * denominator(degrees);
+  Quadrant result{degrees, 0};
+  mpq_ptr const rest = result.degrees.backend().data();
+  if (mpq_sgn(rest) >= 0 && mpq_cmp_ui(rest, 90, 1) < 0) return result;
+  Integer per_quarter;
   Integer quarters;
-  Integer rest;
-  mpz_fdiv_qr(quarters.backend().data(), rest.backend().data(), mpq_numref(degrees.backend().data()),
-              per_quarter.backend().data());
-  return {degrees - Rational(90 * quarters), static_cast<int>(mpz_fdiv_ui(quarters.backend().data(), 4))};
+  mpz_mul_ui(per_quarter.backend().data(), mpq_denref(rest), 90);
+  // What is left is in lowest terms as the whole was.
+  mpz_fdiv_qr(quarters.backend().data(), mpq_numref(rest), mpq_numref(rest), per_quarter.backend().data());
+  if (mpq_sgn(rest) == 0) mpq_set_ui(rest, 0, 1);
+  result.quarter = static_cast<int>(mpz_fdiv_ui(quarters.backend().data(), 4));
+  return result;
 }
 
 // cos(90 q + degrees), degrees in [0, 90).
@@ -151,12 +149,12 @@ Real::Real() : node_(nullptr) {}
 Real::Real(int value) : node_(nullptr) {
   if (value == 0) return;
   node_ = new_node(Kind::rational);
-  mpq_set_si(node_->value, value, 1);
+  node_->value.set(value);
 }
 Real::Real(const Rational& value) : node_(nullptr) {
   if (value.is_zero()) return;
   node_ = new_node(Kind::rational);
-  mpq_set(node_->value, value.backend().data());
+  node_->value.set(value.backend().data());
 }
 Real::Real(const Real& other) : node_(other.node_) {
   if (node_ != nullptr) ++node_->references;
@@ -179,18 +177,14 @@ Real::~Real() {
 
 Sign Real::sign() const { return node_ == nullptr ? Sign::zero : decide(*node_); }
 bool Real::is_rational() const { return node_ == nullptr || node_->is_rational(); }
-Rational Real::rational() const {
-  Rational result;
-  if (node_ != nullptr) mpq_set(result.backend().data(), node_->value);
-  return result;
-}
+Rational Real::rational() const { return node_ == nullptr ? Rational() : node_->value.rational(); }
 
 Real operator-(const Real& a) {
   Node* const x = Node::of(a);
   if (is_zero(x)) return {};
   if (x->is_rational()) {
     Node* const node = new_node(Kind::rational);
-    mpq_neg(node->value, x->value);
+    node->value.negate(x->value);
     return Node::adopt(node);
   }
   if (is_negation(*x)) return Node::share(x->left);
@@ -203,9 +197,11 @@ Real operator+(const Real& a, const Real& b) {
   if (is_zero(x)) return b;
   if (is_zero(y)) return a;
   if (y->is_rational()) std::swap(x, y);
-  if (y->is_rational()) return fold(add, *x, *y);
-  if (x->is_rational() && has_rational(*y, Kind::sum)) return fold(add, *x, *y->left) + Node::share(y->right);
-  if (x->is_rational() && has_rational(*y, Kind::difference)) return fold(add, *x, *y->left) - Node::share(y->right);
+  if (y->is_rational()) return fold(&RationalValue::add, *x, *y);
+  if (x->is_rational() && has_rational(*y, Kind::sum))
+    return fold(&RationalValue::add, *x, *y->left) + Node::share(y->right);
+  if (x->is_rational() && has_rational(*y, Kind::difference))
+    return fold(&RationalValue::add, *x, *y->left) - Node::share(y->right);
   if (is_negation(*y)) return x == y->left ? Real() : operation(Kind::difference, x, y->left);
   if (is_negation(*x)) return x->left == y ? Real() : operation(Kind::difference, y, x->left);
   return operation(Kind::sum, x, y);
@@ -217,11 +213,12 @@ Real operator-(const Real& a, const Real& b) {
   if (x == y) return {};
   if (is_zero(y)) return a;
   if (is_zero(x)) return -b;
-  if (y->is_rational()) return x->is_rational() ? fold(subtract, *x, *y) : -b + a;
+  if (y->is_rational()) return x->is_rational() ? fold(&RationalValue::subtract, *x, *y) : -b + a;
   if (is_negation(*y)) return a + Node::share(y->left);
-  if (x->is_rational() && has_rational(*y, Kind::sum)) return fold(subtract, *x, *y->left) - Node::share(y->right);
+  if (x->is_rational() && has_rational(*y, Kind::sum))
+    return fold(&RationalValue::subtract, *x, *y->left) - Node::share(y->right);
   if (x->is_rational() && has_rational(*y, Kind::difference))
-    return fold(subtract, *x, *y->left) + Node::share(y->right);
+    return fold(&RationalValue::subtract, *x, *y->left) + Node::share(y->right);
   if (is_sum(*x) && is_sum(*y)) {
     if (auto rest = difference_of_sums(x, 1, y, 1)) return *std::move(rest);
     if (auto rest = difference_of_sums(x, 1, y, 2)) return *std::move(rest);
@@ -235,11 +232,11 @@ Real operator*(const Real& a, const Real& b) {
   Node* y = Node::of(b);
   if (is_zero(x) || is_zero(y)) return {};
   if (y->is_rational()) std::swap(x, y);
-  if (y->is_rational()) return fold(multiply, *x, *y);
+  if (y->is_rational()) return fold(&RationalValue::multiply, *x, *y);
   if (x->is_rational()) {
-    if (is_integer(*x, 1)) return Node::share(y);
-    if (is_integer(*x, -1)) return -Node::share(y);
-    if (has_rational(*y, Kind::product)) return fold(multiply, *x, *y->left) * Node::share(y->right);
+    if (is_unit(*x, 1)) return Node::share(y);
+    if (is_unit(*x, -1)) return -Node::share(y);
+    if (has_rational(*y, Kind::product)) return fold(&RationalValue::multiply, *x, *y->left) * Node::share(y->right);
     if (is_negation(*y)) return -Node::share(x) * Node::share(y->left);
   }
   if (x == y && x->kind == Kind::root) return Node::share(x->left);
@@ -252,7 +249,7 @@ Real operator/(const Real& a, const Real& b) {
   if (b.sign() == Sign::zero) throw std::domain_error("division by zero");
   if (is_zero(x)) return {};
   if (x == y) return 1;
-  if (y->is_rational()) return x->is_rational() ? fold(divide, *x, *y) : inverse(*y) * a;
+  if (y->is_rational()) return x->is_rational() ? fold(&RationalValue::divide, *x, *y) : inverse(*y) * a;
   return operation(Kind::quotient, x, y);
 }
 
@@ -284,8 +281,8 @@ Real arctangent_degrees(const Real& tangent) {
   Node* const x = Node::of(tangent);
   // The only rational tangents of rational degrees.
   if (is_zero(x)) return {};
-  if (is_integer(*x, 1)) return 45;
-  if (is_integer(*x, -1)) return -45;
+  if (is_unit(*x, 1)) return 45;
+  if (is_unit(*x, -1)) return -45;
   return operation(Kind::arctangent, x);
 }
 

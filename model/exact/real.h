@@ -57,6 +57,8 @@ class Real {
   // Bounds of relative width about 2^-bits (exact for rationals, wider if undecided; Undecided if there are none).
   [[nodiscard]] Enclosure enclosure(int bits = 100) const;
   [[nodiscard]] DoubleEnclosure double_enclosure() const;
+  // Bounds at hand: some numbers of double wide, and more where much cancels; their ends may be infinite.
+  [[nodiscard]] DoubleEnclosure rough_enclosure() const;
   // Correctly rounded to `digits` decimals (half to even), trailing zeros removed, never "-0". Throws Undecided.
   [[nodiscard]] std::string decimal(int digits) const;
 

@@ -31,13 +31,13 @@ void enclose(Interval& result, const Node& node, const Interval* left, const Int
   // NOLINTBEGIN(clang-analyzer-core.NonNullParamChecker): an operation has the operands its kind needs
   switch (node.kind) {
     case Kind::rational:
-      set(result, node.value);
+      set(result, node.value.numerator(), node.value.denominator());
       break;
     case Kind::sine:
-      sine_and_cosine(&result, nullptr, node.value);
+      sine_and_cosine(&result, nullptr, node.value.rational().backend().data());
       break;
     case Kind::cosine:
-      sine_and_cosine(nullptr, &result, node.value);
+      sine_and_cosine(nullptr, &result, node.value.rational().backend().data());
       break;
     case Kind::negation:
       negate(result, *left);
@@ -80,11 +80,11 @@ void enclose(Interval& result, const Node& node, const Interval* left, const Int
 DoubleEnclosure enclosed_in_double(const Node& node, const DoubleEnclosure& left, const DoubleEnclosure& right) {
   switch (node.kind) {
     case Kind::rational:
-      return enclosing(node.value);
+      return enclosing(node.value.numerator(), node.value.denominator());
     case Kind::sine:
-      return sine(enclosing(node.value));
+      return sine(enclosing(node.value.numerator(), node.value.denominator()));
     case Kind::cosine:
-      return cosine(enclosing(node.value));
+      return cosine(enclosing(node.value.numerator(), node.value.denominator()));
     case Kind::negation:
       return negate(left);
     case Kind::sum:

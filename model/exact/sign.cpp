@@ -22,7 +22,7 @@ constexpr mpfr_prec_t greatest_precision = mpfr_prec_t{1} << 20;
 
 // What can be told without work.
 std::optional<Sign> at_hand(Node& node) {
-  if (node.is_rational()) return static_cast<Sign>(mpq_sgn(node.value));
+  if (node.is_rational()) return static_cast<Sign>(node.value.sign());
   if (node.knowledge == Knowledge::positive) return Sign::positive;
   if (node.knowledge == Knowledge::negative) return Sign::negative;
   return enclosed_sign(node);

@@ -14,12 +14,6 @@
 namespace toolcomp::exact {
 namespace {
 
-Integer integer_of(mpz_srcptr value) {
-  Integer result;
-  mpz_set(result.backend().data(), value);
-  return result;
-}
-
 Sign product(Sign a, Sign b) { return static_cast<Sign>(static_cast<int>(a) * static_cast<int>(b)); }
 
 // A divisor that is no integer. It is not zero, and its sign is known.
@@ -122,11 +116,7 @@ class Proof {
     return {tower_.unknown(node), 1, {}};
   }
 
-  std::int64_t angle(const mpq_t degrees) const {
-    Rational value;
-    mpq_set(value.backend().data(), degrees);
-    return tower_.circle().multiple(value);
-  }
+  std::int64_t angle(const RationalValue& degrees) const { return tower_.circle().multiple(degrees.rational()); }
 
   // Divisors were certified when the quotient was made, so this costs nothing.
   static Sign sign_of(Node& divisor) {
@@ -134,8 +124,9 @@ class Proof {
     throw OutOfWork{};
   }
 
-  [[nodiscard]] Fraction rational(const mpq_t value) const {
-    return {tower_.constant(integer_of(mpq_numref(value))), integer_of(mpq_denref(value)), {}};
+  [[nodiscard]] Fraction rational(const RationalValue& given) const {
+    const Rational value = given.rational();
+    return {tower_.constant(numerator(value)), denominator(value), {}};
   }
 
   [[nodiscard]] Fraction cosine(std::int64_t angle) const { return {tower_.twice_cosine(angle), 2, {}}; }
@@ -256,11 +247,11 @@ class Proof {
 
 // The circle on which all angles of the expression lie.
 Circle circle_of(const std::vector<Node*>& nodes) {
-  Integer denominator = 1;
+  Integer common = 1;
   for (const Node* node : nodes)
     if (node->kind == Kind::sine || node->kind == Kind::cosine)
-      denominator = lcm(denominator, integer_of(mpq_denref(node->value)));
-  return Circle(denominator);
+      common = lcm(common, denominator(node->value.rational()));
+  return Circle(common);
 }
 
 }  // namespace

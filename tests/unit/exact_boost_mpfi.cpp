@@ -29,7 +29,7 @@ TEST(BoostMpfi, ConvertsRationalsToAPointBesideThem) {
   EXPECT_NE(mpfr_cmp_q(&ends->left, tenth.backend().data()), 0);
 
   InlineInterval ours;
-  set(ours, tenth.backend().data());
+  set(ours, mpq_numref(tenth.backend().data()), mpq_denref(tenth.backend().data()));
   EXPECT_LT(mpfr_cmp_q(ours.lower, tenth.backend().data()), 0);
   EXPECT_GT(mpfr_cmp_q(ours.upper, tenth.backend().data()), 0);
 }

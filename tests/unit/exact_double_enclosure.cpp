@@ -158,10 +158,16 @@ TEST(DoubleEnclosure, InfiniteEndsGiveNoNumberThatIsNone) {
   }
 }
 
+double rounded(const Rational& value, mpfr_rnd_t direction) {
+  Number number;
+  mpfr_set_q(number.get(), value.backend().data(), direction);
+  return mpfr_get_d(number.get(), direction);
+}
+
 TEST(DoubleEnclosure, RationalsAreHeld) {
   Random random;
   const auto check = [](const Rational& value) {
-    const DoubleEnclosure x = enclosing(value.backend().data());
+    const DoubleEnclosure x = enclosing(mpq_numref(value.backend().data()), mpq_denref(value.backend().data()));
     ASSERT_TRUE(holds(x, [&](mpfr_ptr z, mpfr_rnd_t rounding) { mpfr_set_q(z, value.backend().data(), rounding); }))
         << value;
   };
@@ -170,7 +176,10 @@ TEST(DoubleEnclosure, RationalsAreHeld) {
     const Integer b = Integer(random.word() | 1) * (i % 5 == 0 ? Integer(random.word() | 1) : 1);
     const Rational value = i % 2 == 0 ? Rational(a, b) : Rational(-a, b);
     check(value);
-    ASSERT_TRUE(is_tight(enclosing(value.backend().data()))) << value;
+    ASSERT_TRUE(is_tight(enclosing(mpq_numref(value.backend().data()), mpq_denref(value.backend().data())))) << value;
+    const DoubleEnclosure read = Real(value).double_enclosure();
+    ASSERT_EQ(read.lower, rounded(value, MPFR_RNDD)) << value;
+    ASSERT_EQ(read.upper, rounded(value, MPFR_RNDU)) << value;
   }
   for (const int bits : {60, 1000, 1022, 1023, 1024, 1050, 1074, 1075, 5000}) {
     const Rational large = Rational(Integer(3) << bits);
@@ -180,10 +189,30 @@ TEST(DoubleEnclosure, RationalsAreHeld) {
 
 TEST(DoubleEnclosure, EnclosuresOfMoreBitsAreRoundedOutwards) {
   InlineInterval third;
-  set(third, Rational(1, 3).backend().data());
+  set(third, mpq_numref(Rational(1, 3).backend().data()), mpq_denref(Rational(1, 3).backend().data()));
   const DoubleEnclosure x = enclosing(third);
   EXPECT_LT(mpfr_cmp_d(third.lower, x.lower) * mpfr_cmp_d(third.upper, x.upper), 0);
   EXPECT_EQ(above(x.lower), x.upper);
+}
+
+TEST(DoubleEnclosure, EnclosuresOfMoreBitsAreRoundedAsByMpfr) {
+  Random random;
+  for (int i = 0; i < numbers; ++i) {
+    InlineInterval x;
+    const mpfr_exp_t exponent = i % 2 == 0 ? static_cast<mpfr_exp_t>(random.word() % 100) - 50
+                                           : static_cast<mpfr_exp_t>(random.word() % 4000) - 2000;
+    // Sums of few words: exact in double, or just beside a number of double, among them.
+    for (mpfr_ptr end : {x.lower, x.upper}) {
+      mpfr_set_d(end, random.any(), MPFR_RNDN);
+      if (i % 3 != 0) mpfr_add_si(end, end, static_cast<long>(random.word() >> 1), MPFR_RNDN);
+      if (i % 5 == 0) mpfr_nextabove(end);
+      if (mpfr_zero_p(end) == 0 && i % 7 != 0) mpfr_set_exp(end, exponent);
+    }
+    if (mpfr_cmp(x.lower, x.upper) > 0) mpfr_swap(x.lower, x.upper);
+    const DoubleEnclosure rounded = enclosing(x);
+    ASSERT_EQ(rounded.lower, mpfr_get_d(x.lower, MPFR_RNDD));
+    ASSERT_EQ(rounded.upper, mpfr_get_d(x.upper, MPFR_RNDU));
+  }
 }
 
 // Of points, and of a number inside of an interval.

@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <limits>
+#include <random>
 #include <vector>
 
 #include "model/exact/trigonometry.h"
+#include "tests/sanitized.h"
 
 namespace toolcomp::exact {
 namespace {
@@ -33,8 +36,8 @@ bool is_hull(const Interval& x, const std::vector<Rational>& values) {
   }
   InlineInterval of_low;
   InlineInterval of_high;
-  set(of_low, low.backend().data());
-  set(of_high, high.backend().data());
+  set(of_low, mpq_numref(low.backend().data()), mpq_denref(low.backend().data()));
+  set(of_high, mpq_numref(high.backend().data()), mpq_denref(high.backend().data()));
   return mpfr_equal_p(x.lower, of_low.lower) && mpfr_equal_p(x.upper, of_high.upper);
 }
 
@@ -109,10 +112,37 @@ TEST(Interval, RationalsAreContainedAndOneUnitWide) {
   for (int denominator = 1; denominator < 200; ++denominator) {
     const Rational value(-7919, denominator);
     InlineInterval x;
-    set(x, value.backend().data());
+    set(x, mpq_numref(value.backend().data()), mpq_denref(value.backend().data()));
     EXPECT_TRUE(contains(x, value));
     mpfr_nextabove(x.lower);
     EXPECT_GE(mpfr_cmp(x.lower, x.upper), 0);
+  }
+}
+
+// Of any length: with and without a common divisor, exact, and where the last bit carries through all of them.
+TEST(Interval, RationalsAreRoundedAsByMpfr) {
+  std::mt19937_64 bits(1);
+  const auto whole = [&bits] {
+    Integer result = 0;
+    for (std::uint64_t i = 0, words = 1 + bits() % (bits() % 16 == 0 ? 20 : 5); i < words; ++i)
+      result = (result << 64) + (bits() % 4 == 0 ? ~std::uint64_t{0} : bits() % 4 == 0 ? 0 : bits());
+    return Integer(result >> (bits() % 64));
+  };
+  constexpr int numbers = toolcomp::test::random_cases(200'000);
+  for (int i = 0; i < numbers; ++i) {
+    const Integer divisor = i % 4 == 0 ? Integer(Integer(1) << (bits() % 300)) : Integer(whole() + 1);
+    const Integer common = i % 3 == 0 ? Integer(bits() % 1000 + 1) : Integer(1);
+    const Integer numerator = (i % 2 == 0 ? whole() : Integer(-whole())) * common;
+    const Integer denominator = divisor * common;
+    const Rational value(numerator, denominator);
+    InlineInterval x;
+    set(x, numerator.backend().data(), denominator.backend().data());
+    InlineInterval by_mpfr;
+    mpfr_set_q(by_mpfr.lower, value.backend().data(), MPFR_RNDD);
+    mpfr_set_q(by_mpfr.upper, value.backend().data(), MPFR_RNDU);
+    ASSERT_TRUE(mpfr_equal_p(x.lower, by_mpfr.lower)) << value;
+    ASSERT_TRUE(mpfr_equal_p(x.upper, by_mpfr.upper)) << value;
+    ASSERT_EQ(mpfr_cmp(x.lower, x.upper) == 0, contains(x, value) && mpfr_cmp_q(x.lower, value.backend().data()) == 0);
   }
 }
 
