@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a test runs under AddressSanitizer or ThreadSanitizer, where memory is reserved otherwise and exact numbers are
-// slow.
+// Whether a test runs under AddressSanitizer or ThreadSanitizer, where memory is reserved otherwise and exact numbers
+// are slow.
 #pragma once
 
 #include <cstdint>
