@@ -23,7 +23,7 @@ FLOORS = [
     (r"^batch.*(cutter_c|length_offset)", "floor/arrays_in_the_plane"),
     (r"^batch", "floor/arrays_in_space"),
     (r"line_and_arc", "floor/corner_of_line_and_arc"),
-    (r"cutter_._arcs", "floor/corner_of_arcs"),
+    (r"(cutter_.|tool_side)_arcs", "floor/corner_of_arcs"),
     (r"(inverse|posture).*_inclined", "floor/inverse_inclined"),
     (r"^inverse|(tip|posture)_ijk", "floor/inverse"),
     (r"(tip|posture)_rotary", "floor/forward"),

@@ -7,6 +7,7 @@
 
 #include "fast/fanuc/control/stage.h"
 #include "fast/fanuc/corner/usual_paths.h"
+#include "fast/fanuc/cutter_compensation_c/cutter_compensation_c.h"
 #include "fast/fanuc/cutter_compensation_c/usual_line.h"
 
 namespace toolcomp::fast {
