@@ -82,7 +82,7 @@ void add(SectionResult& s, const CaseResult& r) {
 
 std::vector<NeverSent> never_sent(const std::vector<std::string>& announced, const std::vector<CaseResult>& results) {
   spec::FieldSet sent;
-  for (const CaseResult& r : results) add(sent, r.sent);
+  for (const CaseResult& r : results) sent.add(r.sent);
   std::vector<NeverSent> fields;
   for (const std::string& name : announced) {
     const auto field = spec::find_field(name);

@@ -169,7 +169,7 @@ Answer read_answer(const Capabilities& capabilities, const spec::Case& c, std::s
       return answer;
     }
     answer.missing = find_missing(capabilities, read);
-    for (const spec::FieldSet& fields : read.fields) add(answer.sent, fields);
+    for (const spec::FieldSet& fields : read.fields) answer.sent.add(fields);
     answer.result = std::move(read.events);
     return answer;
   } catch (const spec::InputError& error) {

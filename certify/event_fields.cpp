@@ -13,23 +13,21 @@ void add_if(FieldSet& fields, bool there, Field field) {
 }
 
 void add_arc(FieldSet& fields, const spec::Arc<exact::Real>& arc) {
-  add(fields, {Field::center, Field::plane, Field::direction});
+  fields.add({Field::center, Field::plane, Field::direction});
   add_if(fields, arc.sweep.has_value(), Field::sweep);
   add_if(fields, arc.radius.has_value(), Field::radius);
 }
 
 void add_space(FieldSet& fields, const spec::SpaceCompensation<exact::Real>& space) {
-  add(fields, {Field::tool_center, Field::shift, Field::tool_shift});
+  fields.add({Field::tool_center, Field::shift, Field::tool_shift});
   add_if(fields, space.carrier.has_value(), Field::carrier);
   if (!space.contact) return;
-  add(fields, {Field::contact, Field::normal});
+  fields.add({Field::contact, Field::normal});
   add_if(fields, space.contact->angle.has_value(), Field::angle);
   add_if(fields, space.contact->flat, Field::flat);
 }
 
 }  // namespace
-
-void add(FieldSet& fields, const FieldSet& more) { fields.add(more); }
 
 FieldSet fields_of(const model::Event& event) {
   FieldSet fields{Field::kind, Field::line};
@@ -37,7 +35,7 @@ FieldSet fields_of(const model::Event& event) {
   add_if(fields, !event.clauses.empty(), Field::clauses);
   switch (event.kind) {
     case EventKind::move:
-      add(fields, {Field::type, Field::cause});
+      fields.add({Field::type, Field::cause});
       add_if(fields, !event.programmed.empty(), Field::programmed);
       if (event.arc) add_arc(fields, *event.arc);
       if (event.space) add_space(fields, *event.space);
@@ -48,13 +46,13 @@ FieldSet fields_of(const model::Event& event) {
       break;
     case EventKind::alarm:
     case EventKind::warning:
-      add(fields, {Field::number, Field::message});
+      fields.add({Field::number, Field::message});
       return fields;
     case EventKind::setting:
-      add(fields, {Field::name, Field::value});
+      fields.add({Field::name, Field::value});
       return fields;
     case EventKind::undecided:
-      add(fields, {Field::clause, Field::permitted});
+      fields.add({Field::clause, Field::permitted});
       add_if(fields, event.out_of_scope, Field::reason);
       return fields;
   }
@@ -67,7 +65,7 @@ FieldSet fields_of(const model::Event& event) {
 
 FieldSet fields_of(const fuzz::ModelRun& run) {
   FieldSet fields;
-  for (const model::Event& event : run.events) add(fields, fields_of(event));
+  for (const model::Event& event : run.events) fields.add(fields_of(event));
   return fields;
 }
 

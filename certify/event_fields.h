@@ -11,8 +11,6 @@ namespace toolcomp::certify {
 inline constexpr std::string_view kNeverSent = "field never sent";
 
 spec::FieldSet fields_of(const model::Event& event);
-// Adds what is in `more`.
-void add(spec::FieldSet& fields, const spec::FieldSet& more);
 // Of all events of a run.
 spec::FieldSet fields_of(const fuzz::ModelRun& run);
 

@@ -43,8 +43,7 @@ bool UsualSpaceLines::await(BlockTaker& taker) {
   if (positions.along_tool()) {
     if (control_.modal.by_vector()) letters |= kDirection;
   } else {
-    for (std::size_t axis = 3; axis < control_.axes.count; ++axis)
-      letters |= std::uint32_t{2} << control_.axes.letters.index[axis];
+    letters |= letters_of_further_axes(control_);
   }
   words_.permit(letters);
   const auto of_xyz = [](const auto& counts) {

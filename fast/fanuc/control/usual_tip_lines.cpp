@@ -14,7 +14,6 @@ bool ToolAttitude::awaits_lines() const {
 [[gnu::always_inline]] inline TipBlock& ToolAttitude::next_line() {
   TipBlock& block = tip_.next();
   block.length = along_length_;
-  block.sampled = true;
   return block;
 }
 
@@ -47,13 +46,8 @@ bool UsualTipLines::may_come() const {
 
 void UsualTipLines::await() {
   if (!may_come()) return;
-  std::uint32_t letters = kXyz | UsualWords::set_of("FG");
-  if (control_.modal.by_vector())
-    letters |= kDirection;
-  else
-    for (std::size_t axis = 3; axis < control_.axes.count; ++axis)
-      letters |= std::uint32_t{2} << control_.axes.letters.index[axis];
-  words_.permit(letters);
+  const std::uint32_t turning = control_.modal.by_vector() ? kDirection : letters_of_further_axes(control_);
+  words_.permit(kXyz | turning | UsualWords::set_of("FG"));
   others_ = control_.taker;
   control_.taker = this;
 }

@@ -30,6 +30,14 @@ inline bool usual_lines_may_come(const Control& control) {
   return control.modal.motion() <= 10 && usual_words_may_come(control);
 }
 
+// The letters of the axes behind the first three, as UsualWords has them.
+inline std::uint32_t letters_of_further_axes(const Control& control) {
+  std::uint32_t letters = 0;
+  for (std::size_t axis = 3; axis < control.axes.count; ++axis)
+    letters |= std::uint32_t{2} << control.axes.letters.index[axis];
+  return letters;
+}
+
 // In 10^-6, by letter; a letter that is absent keeps what it had.
 class UsualWords {
  public:

@@ -75,7 +75,9 @@ std::array<Address, 256> addresses(const Axes& axes) {
 
 BlockReader::BlockReader(std::unique_ptr<ByteSource> bytes, const Axes& axes, ReaderOptions options,
                          std::uint64_t first_line)
-    : source_(std::move(bytes)), options_(std::move(options)), address_(addresses(axes)), line_(first_line) {}
+    : options_(std::move(options)), address_(addresses(axes)) {
+  begin(std::move(bytes), first_line);
+}
 
 void BlockReader::begin(std::unique_ptr<ByteSource> bytes, std::uint64_t first_line) {
   source_ = std::move(bytes);

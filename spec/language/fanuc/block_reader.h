@@ -101,7 +101,7 @@ class BlockReader {
   const char* position_ = buffer_.data();
   const char* end_ = buffer_.data();
   std::uint64_t consumed_ = 0;    // bytes before the buffer
-  std::uint64_t line_;            // being read
+  std::uint64_t line_ = 1;        // being read
   std::uint64_t line_start_ = 0;  // offset of its first byte
   bool at_start_ = true;          // no byte has come
   bool started_ = false;          // something other than blanks, comments, line ends and % was read
