@@ -307,13 +307,17 @@ class Campaign {
     const spec::Case& c = input.c;
     const bool here = work.subject.is_fast_engine();
     std::optional<Answer> answer;
-    if (!here && !(answer = ask(work, c, index, faults))) return std::nullopt;
+    if (!here) {
+      answer = ask(work, c, index, faults);
+      if (!answer) return std::nullopt;
+    }
     const std::optional<Beginning> beginning = beginning_of(c);
     auto whole =
         certify::judge_long(certificate_.subject, c, here ? nullptr : &*answer, beginning, options_.processors);
     if (!whole) {
       const fuzz::ModelRun run = fuzz::run_model(c);
-      if (!answer && !(answer = ask(work, c, index, faults))) return std::nullopt;
+      if (!answer) answer = ask(work, c, index, faults);
+      if (!answer) return std::nullopt;
       return judge(work, input, index, faults, run, *answer);
     }
     if (here) answer.emplace();

@@ -45,7 +45,7 @@ std::optional<DoubleEnclosure> quotient_of_large(mpz_srcptr numerator, mpz_srcpt
   const std::int64_t exponent = n.exponent - d.exponent - shift;
   if (exponent < -greatest_exponent || exponent > greatest_exponent - word_bits) return std::nullopt;
   // A quotient of words below a power of two is that of numbers below it, so that the double above is enough there.
-  const int cut = word_bits - static_cast<int>(exact_bits) - std::countl_zero(quotient);
+  const int cut = (quotient >> shift != 0 ? shift + 1 : shift) - static_cast<int>(exact_bits);
   const double unit = power_of_two(static_cast<int>(exponent) + cut);
   return DoubleEnclosure{static_cast<double>((quotient - 2) >> cut) * unit,
                          static_cast<double>(((quotient + 3) >> cut) + 1) * unit};

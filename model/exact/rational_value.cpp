@@ -192,8 +192,8 @@ void RationalValue::add(const RationalValue& x, const RationalValue& y, bool neg
     settle();
     return;
   }
-  mpz_ptr const numerator = mpq_numref(value_);
-  mpz_ptr const denominator = mpq_denref(value_);
+  auto* const numerator = mpq_numref(value_);
+  auto* const denominator = mpq_denref(value_);
   decimals_ = kQuotient;
   if (mpz_cmp(x.denominator(), y.denominator()) == 0) {
     put_sum(numerator, x.numerator(), y.numerator(), negative);
@@ -206,7 +206,7 @@ void RationalValue::add(const RationalValue& x, const RationalValue& y, bool neg
 }
 
 void RationalValue::add_decimals(const RationalValue& x, const RationalValue& y, bool negative) {
-  mpz_ptr const digits = mpq_numref(value_);
+  auto* const digits = mpq_numref(value_);
   decimals_ = std::max(x.decimals_, y.decimals_);
   if (x.decimals_ == y.decimals_) {
     put_sum(digits, x.numerator(), y.numerator(), negative);
@@ -236,8 +236,8 @@ void RationalValue::multiply(const RationalValue& x, const RationalValue& y) {
 }
 
 void RationalValue::divide(const RationalValue& x, const RationalValue& y) {
-  mpz_ptr const numerator = mpq_numref(value_);
-  mpz_ptr const denominator = mpq_denref(value_);
+  auto* const numerator = mpq_numref(value_);
+  auto* const denominator = mpq_denref(value_);
   if (x.limbs() + y.limbs() > kShortLimbs) {
     mpq_div(value_, LowestTerms(x).get(), LowestTerms(y).get());
     settle();
@@ -259,7 +259,7 @@ void RationalValue::divide(const RationalValue& x, const RationalValue& y) {
 
 // Where it is rational it is that of numerator times denominator, a whole number, over the denominator.
 bool RationalValue::root(const RationalValue& x) {
-  mpz_ptr const numerator = mpq_numref(value_);
+  auto* const numerator = mpq_numref(value_);
   // Of an even power of ten the root is known.
   const std::int32_t odd = x.decimals_ % 2;
   put_product(numerator, x.numerator(), x.is_decimal() ? power_of_ten(odd) : x.denominator());

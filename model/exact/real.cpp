@@ -122,7 +122,7 @@ struct Quadrant {
 };
 Quadrant quadrant(const Rational& degrees) {
   Quadrant result{degrees, 0};
-  mpq_ptr const rest = result.degrees.backend().data();
+  auto* const rest = result.degrees.backend().data();
   if (mpq_sgn(rest) >= 0 && mpq_cmp_ui(rest, 90, 1) < 0) return result;
   Integer per_quarter;
   Integer quarters;

@@ -37,8 +37,9 @@ bool ToolSideCompensation::can_await_paths() {
 bool ToolSideCompensation::lend(UsualLoan& loan) {
   const SidePath& path = *last_;
   const SideGroup& start = at_start();
+  if (!is_open(ShortCut::tool_side_path)) return false;
   const int looks = facing(*path.tool, loan.in);
-  if (!is_open(ShortCut::tool_side_path) || looks == 0 || !lend_path(loan)) return false;
+  if (looks == 0 || !lend_path(loan)) return false;
   loan.event = &ring_[first_].event;
   loan.sink = sink_;
   loan.offset.radius = path.offset.nearest;
