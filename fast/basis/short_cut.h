@@ -6,7 +6,8 @@
 namespace toolcomp::fast {
 
 enum class ShortCut : unsigned char {
-  cutter_b_arc,       // fanuc/cutter_compensation_b/usual_arc.cpp
+  cutter_b_arc,       // fanuc/cutter_compensation_b/usual_arc.*
+  cutter_b_move,      // fanuc/cutter_compensation_b/usual_moves.*
   cutter_line,        // fanuc/cutter_compensation_c/usual_line.cpp
   cutter_path,        // fanuc/corner/usual_paths.*, for cutter compensation C
   leading_edge_line,  // fanuc/leading_edge_offset/usual_edge_line.cpp, fanuc/leading_edge_offset/usual_line.h

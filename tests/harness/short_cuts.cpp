@@ -39,8 +39,9 @@ using fast::Fault;
 using fast::ShortCut;
 
 constexpr unsigned set_of(ShortCut s) { return 1U << static_cast<unsigned>(s); }
-constexpr unsigned kSameArithmetic = set_of(ShortCut::cutter_line) | set_of(ShortCut::cutter_path) |
-                                     set_of(ShortCut::leading_edge_line) | set_of(ShortCut::tip_line);
+constexpr unsigned kSameArithmetic = set_of(ShortCut::cutter_b_move) | set_of(ShortCut::cutter_line) |
+                                     set_of(ShortCut::cutter_path) | set_of(ShortCut::leading_edge_line) |
+                                     set_of(ShortCut::tip_line);
 constexpr unsigned kOwnArithmetic = set_of(ShortCut::cutter_b_arc) | set_of(ShortCut::tool_side_line) |
                                     set_of(ShortCut::pair) | set_of(ShortCut::posture);
 // As the general path does too, but some of its lines are also for a short cut that has formulas of its own.
@@ -179,7 +180,7 @@ struct ArcsUnder {
   std::string_view right;
   std::span<const std::string_view> between;
 };
-constexpr ArcsUnder kArcsUnderC{"G41 D1 ", "G42 D1 ", kBetween};
+constexpr ArcsUnder kArcs{"G41 D1 ", "G42 D1 ", kBetween};
 
 // The same with arcs among the lines, both ways, by their centre and some by their radius: circles, spirals by a
 // rounded end and by a large one, tangent and acute corners, codes where they change or again.
@@ -250,16 +251,17 @@ std::string contour_with_arcs(std::uint64_t seed, const ArcsUnder& under) {
 
 TEST(ShortCuts, GiveWhatTheGeneralPathGivesAlongContours) {
   constexpr std::uint64_t cases = test::kSanitized ? 100 : 2000;
-  for (const std::string_view setup : kSetups) {
-    spec::Case c;
-    c.section = "fanuc/cutter-compensation-c";
-    c.setup = spec::read_setup_toml(std::string(setup), "setup");
-    for (std::uint64_t seed = 1; seed <= cases; ++seed)
-      for (const std::string& program : {contour(seed), contour_with_arcs(seed, kArcsUnderC)}) {
-        c.program = program;
-        ASSERT_EQ(broken(c), "") << "seed " << seed << '\n' << c.program;
-      }
-  }
+  for (const std::string_view setup : kSetups)
+    for (const std::string_view compensation : {"B", "C"}) {
+      spec::Case c;
+      c.section = compensation == "B" ? "fanuc/cutter-compensation-b" : "fanuc/cutter-compensation-c";
+      c.setup = spec::read_setup_toml(fmt::format("cutter_compensation = \"{}\"\n{}", compensation, setup), "setup");
+      for (std::uint64_t seed = 1; seed <= cases; ++seed)
+        for (const std::string& program : {contour(seed), contour_with_arcs(seed, kArcs)}) {
+          c.program = program;
+          ASSERT_EQ(broken(c), "") << "compensation " << compensation << " seed " << seed << '\n' << c.program;
+        }
+    }
 }
 
 constexpr std::string_view kSideBetween[] = {"M08", "F300", "G01", "N77",   "D2",    "D1",  "G00 X0",         "Z5.",

@@ -6,51 +6,24 @@
 
 #include "fast/basis/fault.h"
 #include "fast/fanuc/control/read_words.h"
+#include "fast/fanuc/control/usual_place.h"
 #include "fast/fanuc/corner/corner_group.h"
 #include "fast/fanuc/corner/tool_arc.h"
-#include "fast/fanuc/corner/usual_place.h"
 
 namespace toolcomp::fast {
 namespace {
 
-constexpr std::uint32_t kFeed = UsualWords::set('F');
-constexpr std::uint32_t kCode = UsualWords::set('G');
-constexpr std::uint32_t kRadius = UsualWords::set('R');
 // So many lines behind one another, and more are worth the way to those who take lines alone.
 constexpr unsigned kMostLines = 16;
-
-// What all events of a program in one plane share.
-void set_frame(Event& event, const Event& from, spec::MoveType type, spec::Cause cause) {
-  event.type = type;
-  event.cause = cause;
-  event.programmed = from.programmed;
-  event.point = from.point;
-  event.axes = from.axes;
-  event.machine.present = 0;
-  event.tool_axis = from.tool_axis;
-  event.feed = from.feed;
-  event.t_numerator = from.t_numerator;
-}
 
 }  // namespace
 
 bool UsualPaths::await() {
   const ModalState& modal = control_.modal;
   axis_ = modal.plane_axis();
-  if (modal.motion() < 10 || modal.by_vector() || axis_[0] == spec::Axes::kNone || axis_[1] == spec::Axes::kNone)
-    return false;
   loan_.in = {in_plane(modal.plane(), 0), in_plane(modal.plane(), 1)};
-  if (!usual_words_may_come(control_) || !find_usual_place(control_, at_) || !is_usual_position(at_) ||
-      !lender_.lend(loan_))
+  if (!words_.begin() || !find_usual_place(control_, at_) || !is_usual_position(at_) || !lender_.lend(loan_))
     return false;
-  std::uint32_t letters = UsualWords::set_of("FGR");
-  for (std::size_t i = 0; i < 2; ++i) {
-    letter_[i] = std::size_t{control_.axes.letters.index[axis_[i]]} + 1U;
-    center_letter_[i] = UsualWords::at(direction_letter(modal.plane(), i));
-    letters |= std::uint32_t{1} << letter_[i] | std::uint32_t{1} << center_letter_[i];
-  }
-  words_.permit(letters);
-  arc_letter_ = {letter_[0], letter_[1], center_letter_[0], center_letter_[1]};
   lent_ = true;
   lines_ = 0;
   *held_ = loan_.path;
@@ -110,56 +83,8 @@ void UsualPaths::leave() {
   for (std::size_t i = 0; i < 2; ++i) arc_.arc->center.value[axis_[i]] = center[i];
 }
 
-[[gnu::always_inline]] inline bool UsualPaths::read_usual_arc(const spec::Block& block, Command& command) const {
-  const spec::Word& first = block.word[0];
-  const std::size_t codes = first.address == 'G' ? 1 : 0;
-  const spec::Word* const words = &first + codes;
-  std::array<std::int64_t, 4> values{};
-  Code motion = control_.modal.motion();
-  if (codes != 0) {
-    if (Count::shape(first.value) != 0 || first.value.digits > 3) return false;
-    motion = static_cast<Code>(10 * first.value.digits);
-  }
-  if (block.size != 4 + codes || motion <= 10 || control_.modal.incremental() ||
-      !UsualWords::are_in_order(words, arc_letter_) || !UsualWords::read_short(words, values))
-    return false;
-  command.motion = motion;
-  command.to = {values[0], values[1]};
-  command.to_center = {values[2], values[3]};
-  return true;
-}
-
-[[gnu::always_inline]] inline bool UsualPaths::read(const spec::Block& block, Command& command) {
-  if (read_usual_arc(block, command)) return true;
-  const bool incremental = control_.modal.incremental();
-  for (std::size_t i = 0; i < 2; ++i) {
-    words_[letter_[i]] = incremental ? 0 : at_[i];
-    words_[center_letter_[i]] = 0;
-  }
-  std::uint32_t letters = 0;
-  if (!words_.read(block, letters)) return false;
-  command.motion = control_.modal.motion();
-  if ((letters & kCode) != 0) {
-    const std::int64_t code = words_[UsualWords::at('G')];
-    constexpr std::int64_t kOne = Count::kSmallPerOne;
-    if (code != kOne && code != 2 * kOne && code != 3 * kOne) return false;
-    command.motion = static_cast<Code>(code / (kOne / 10));
-  }
-  for (std::size_t i = 0; i < 2; ++i) {
-    command.to[i] = words_[letter_[i]] + (incremental ? at_[i] : 0);
-    command.to_center[i] = words_[center_letter_[i]];
-  }
-  command.has_feed = (letters & kFeed) != 0;
-  const bool centers = (letters >> center_letter_[0] & 1U) != 0 || (letters >> center_letter_[1] & 1U) != 0;
-  const bool by_radius = (letters & kRadius) != 0;
-  if (by_radius) command.radius = words_[UsualWords::at('R')];
-  // R 0 is none.
-  if (by_radius && (centers || command.radius == 0)) return false;
-  return (centers || by_radius) == (command.motion > 10);
-}
-
-[[gnu::always_inline]] inline bool UsualPaths::make_path(const Command& command) {
-  const auto& [motion, has_feed, to, to_center, radius] = command;
+[[gnu::always_inline]] inline bool UsualPaths::make_path(const UsualMove& move) {
+  const auto& [motion, has_feed, to, to_center, radius] = move;
   const WholePair way{to[0] - at_[0], to[1] - at_[1]};
   if (!is_usual_position(to) || !is_usual_way(way)) return false;
   if (motion == 10) {
@@ -231,7 +156,7 @@ void UsualPaths::send_corner_moves() {
   loan_.sink->on(event);
 }
 
-[[gnu::always_inline]] inline void UsualPaths::hold(const spec::Block& block, const Command& command) {
+[[gnu::always_inline]] inline void UsualPaths::hold(const spec::Block& block, const UsualMove& move) {
   lent_ = false;
   if (end_->size > 1) own_corner_move(event_of(*held_));
   UsualPath* const last = before_;
@@ -242,35 +167,35 @@ void UsualPaths::send_corner_moves() {
   Event& event = event_of(*held_);
   if (held_->is_arc()) {
     event.arc->direction = held_->sigma > 0 ? spec::ArcDirection::ccw : spec::ArcDirection::cw;
-    set_center(command.radius == 0 ? (at_value_ + to_doubles(command.to_center)) / kWholePerOne
-                                   : at_value_ / kWholePerOne - held_->from_start);
+    set_center(move.radius == 0 ? (at_value_ + to_doubles(move.to_center)) / kWholePerOne
+                                : at_value_ / kWholePerOne - held_->from_start);
   }
   event.line = block.line;
   event.n = block.n;
   start_value_ = at_value_;
-  at_ = command.to;
+  at_ = move.to;
   at_value_ = to_doubles(at_);
-  if (!fault(Fault::usual_path_code)) control_.modal.set_motion(command.motion);
-  if (command.has_feed) [[unlikely]]
+  if (!fault(Fault::usual_path_code)) control_.modal.set_motion(move.motion);
+  if (move.has_feed) [[unlikely]]
     set_feed();
 }
 
 void UsualPaths::set_feed() {
-  control_.modal.set_feed(Count::nearest_small(words_[UsualWords::at('F')]));
+  control_.modal.set_feed(words_.feed());
   if (!fault(Fault::usual_path_feed)) line_.feed = arc_.feed = control_.modal.feed();
 }
 
 [[gnu::always_inline]] inline bool UsualPaths::take(const spec::Block& block) {
-  Command command;
+  UsualMove move;
   ToolArc arc;
-  if (block.alarm || !read(block, command) || !make_path(command)) [[unlikely]]
+  if (block.alarm || !words_.read(block, at_, move) || !make_path(move)) [[unlikely]]
     return false;
   lines_ = next_->is_arc() ? 0 : lines_ + 1;
   if (lines_ > kMostLines || !make_corner() || !is_clear(end_->front(), arc)) [[unlikely]]
     return false;
   if (start_->size > 1 && !fault(Fault::usual_path_corner_moves)) send_corner_moves();
   send_path(end_->front(), arc);
-  hold(block, command);
+  hold(block, move);
   return true;
 }
 

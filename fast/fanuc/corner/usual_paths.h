@@ -12,7 +12,7 @@
 #include "fast/arithmetic/trigonometry.h"
 #include "fast/basis/event.h"
 #include "fast/fanuc/control/control.h"
-#include "fast/fanuc/control/usual_words.h"
+#include "fast/fanuc/control/usual_moves.h"
 #include "fast/fanuc/corner/usual_corner.h"
 #include "spec/language/fanuc/block.h"
 
@@ -58,7 +58,7 @@ class UsualPathLender {
 // words of few places, F, and the codes G01 G02 G03.
 class UsualPaths final : public BlockTaker {
  public:
-  UsualPaths(Control& control, UsualPathLender& lender) : control_(control), lender_(lender) {}
+  UsualPaths(Control& control, UsualPathLender& lender) : control_(control), lender_(lender), words_(control) {}
 
   // Behind a block that has been taken: the next ones come here, if they may be usual. False: they do not.
   bool await();
@@ -66,21 +66,9 @@ class UsualPaths final : public BlockTaker {
   void end() override;
 
  private:
-  // Of a block: what its words say.
-  struct Command {
-    Code motion = 10;
-    bool has_feed = false;
-    WholePair to{};
-    WholePair to_center{};    // of an arc
-    std::int64_t radius = 0;  // R; 0: it is about a centre
-  };
-
   // False, and nothing is done: any other block.
   [[nodiscard]] bool take(const spec::Block& block);
-  [[nodiscard]] bool read(const spec::Block& block, Command& command);
-  // Of the most usual arcs, X Y I J with a code before or without. False: any other, and nothing is done.
-  [[nodiscard]] bool read_usual_arc(const spec::Block& block, Command& command) const;
-  [[nodiscard]] bool make_path(const Command& command);
+  [[nodiscard]] bool make_path(const UsualMove& move);
   [[nodiscard]] bool make_corner();
   // Of the tool's arc along the path that is held.
   struct ToolArc {
@@ -92,7 +80,7 @@ class UsualPaths final : public BlockTaker {
   void own_corner_move(const Event& owner);
   void send_corner_moves();
   void send_path(DoublePair vector, const ToolArc& tool);
-  void hold(const spec::Block& block, const Command& command);
+  void hold(const spec::Block& block, const UsualMove& move);
   void set_center(DoublePair center);
   void set_feed();
   // Before any other block.
@@ -104,10 +92,7 @@ class UsualPaths final : public BlockTaker {
   UsualPathLender& lender_;
   BlockTaker* others_ = nullptr;  // who takes blocks that are no usual paths
   std::array<std::size_t, 2> axis_{};
-  std::array<std::size_t, 2> letter_{};         // of positions
-  std::array<std::size_t, 2> center_letter_{};  // I J K
-  std::array<std::size_t, 4> arc_letter_{};     // both
-  UsualWords words_;
+  UsualMoveWords words_;
 
   UsualLoan loan_;
   bool lent_ = true;    // the path that is held is the one that has been lent

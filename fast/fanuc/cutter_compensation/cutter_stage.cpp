@@ -393,8 +393,7 @@ template <class Compensation>
   if constexpr (kIsC<Compensation>) block.path_made = compensation_.make_arc_path(block);
   set_arc_event(block, center);
   pass();
-  if constexpr (kIsC<Compensation>)
-    if (!control_.stopped && compensation_.awaits_paths()) usual_.paths.await();
+  if (!control_.stopped) usual_.await(false);
   return alarm::kNone;
 }
 
@@ -462,9 +461,7 @@ Alarm CutterStage<Compensation>::plain_block(const Words& words) {
   }
   control.fill_here(block.event, modal.straight(), spec::Cause::programmed);
   pass();
-  if constexpr (kIsC<Compensation>)
-    if (block.motion == CutterMotion::line && !control.stopped && !usual_.lines.await() && compensation_.awaits_paths())
-      usual_.paths.await();
+  if (block.motion == CutterMotion::line && !control.stopped) usual_.await(true);
   return alarm::kNone;
 }
 

@@ -3,14 +3,40 @@
 #pragma once
 
 #include <array>
-#include <type_traits>
 
 #include "fast/fanuc/control/stage.h"
 #include "fast/fanuc/corner/usual_paths.h"
+#include "fast/fanuc/cutter_compensation_b/cutter_compensation_b.h"
+#include "fast/fanuc/cutter_compensation_b/usual_moves.h"
 #include "fast/fanuc/cutter_compensation_c/cutter_compensation_c.h"
 #include "fast/fanuc/cutter_compensation_c/usual_line.h"
 
 namespace toolcomp::fast {
+
+// The short cuts of a compensation: behind a block that has been taken the next ones go there, if they may be usual.
+template <class Compensation>
+struct CutterShortCuts;
+
+template <>
+struct CutterShortCuts<CutterCompensationB> {
+  CutterShortCuts(Control& control, CutterCompensationB& stage) : moves(control, stage) {}
+  void await(bool /*behind_line*/) { moves.await(); }
+
+  UsualCutterMoves moves;
+};
+
+template <>
+struct CutterShortCuts<CutterCompensationC> {
+  CutterShortCuts(Control& control, CutterCompensationC& stage)
+      : compensation(stage), lines(control, stage), paths(control, stage) {}
+  void await(bool behind_line) {
+    if (!(behind_line && lines.await()) && compensation.awaits_paths()) paths.await();
+  }
+
+  CutterCompensationC& compensation;
+  UsualCutterLines lines;
+  UsualPaths paths;
+};
 
 // Compensation: CutterCompensationB or CutterCompensationC.
 template <class Compensation>
@@ -36,17 +62,6 @@ class CutterStage final : public Stage {
   void rename() override;
 
  private:
-  // The short cuts of C; B has none.
-  struct Usual {
-    Usual(Control& control, CutterCompensationC& compensation)
-        : lines(control, compensation), paths(control, compensation) {}
-    UsualCutterLines lines;
-    UsualPaths paths;
-  };
-  struct Nothing {
-    Nothing(const Control& /*control*/, const Compensation& /*compensation*/) {}
-  };
-
   // Compensation is wanted, or its vector is not removed yet (clause fanuc.cutter.on).
   [[nodiscard]] bool is_on() const;
   // G41 or G42 is in force after the codes of the block.
@@ -75,7 +90,7 @@ class CutterStage final : public Stage {
   void pass();
 
   Compensation compensation_;
-  std::conditional_t<std::is_same_v<Compensation, CutterCompensationC>, Usual, Nothing> usual_;
+  CutterShortCuts<Compensation> usual_;
   CutterSide side_ = CutterSide::off;  // G40 G41 G42 in force
 };
 

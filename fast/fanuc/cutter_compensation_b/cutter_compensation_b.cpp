@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fast/basis/fault.h"
+#include "fast/fanuc/cutter_compensation_b/usual_arc.h"
 #include "fast/fanuc/program/arc.h"
 
 namespace toolcomp::fast {
@@ -12,6 +13,15 @@ namespace {
 const DoubleDouble kUnitsPerOne = to_double_double(Count::kRestPerOne);
 
 DoubleDouble fine_units(const Count& value) { return to_double_double(value.units()); }
+
+// Left of a direction, of any length: few digits as whole numbers, which doubles hold.
+std::array<DoubleDouble, 2> left_normal(const std::array<Count, 2>& direction) {
+  const auto is_few = [](const Count& way) { return way.is_small() && Count::is_small(way.small()); };
+  if (is_few(direction[0]) && is_few(direction[1]))
+    return {DoubleDouble{static_cast<double>(-direction[1].small())},
+            DoubleDouble{static_cast<double>(direction[0].small())}};
+  return {-fine_units(direction[1]), fine_units(direction[0])};
+}
 
 DoubleDouble squared(const std::array<DoubleDouble, 2>& v) { return v[0] * v[0] + v[1] * v[1]; }
 
@@ -115,7 +125,7 @@ void CutterCompensationB::straight() {
   std::array<Count, 2> direction;
   for (std::size_t i = 0; i < 2; ++i) direction[i] = given ? block_.direction[i] : block_.end[i] - block_.start[i];
   if (!direction[0].is_zero() || !direction[1].is_zero()) {
-    vector_ = vector_along({-fine_units(direction[1]), fine_units(direction[0])}, signed_offset());
+    vector_ = vector_along(left_normal(direction), signed_offset());
     if (!made_) block_.event.cause = spec::Cause::start_up;
     made_ = true;
   }
@@ -151,6 +161,48 @@ Alarm CutterCompensationB::arc() {
   return alarm::kNone;
 }
 
+bool CutterCompensationB::usual_arc() {
+  if (block_.by_radius) return false;
+  WholePair from{};
+  WholePair to{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Count& start = block_.start[i];
+    const Count& end = block_.end[i];
+    const Count& to_center = block_.to_center[i];
+    if (!start.is_small() || !end.is_small() || !to_center.is_small()) return false;
+    from[i] = -to_center.small();
+    to[i] = end.small() - start.small() - to_center.small();
+  }
+  const Count length = signed_offset();
+  const DoublePair vector{vector_.value[0], vector_.value[1]};
+  UsualArc arc;
+  if (!make_usual_arc(from, to, block_.clockwise ? -1 : 1, vector, length.nearest(), arc)) return false;
+  set_usual_arc(*block_.event.arc, arc);
+  set_vector(arc.vector, arc.normal, length);
+  send(vector_, true);
+  return true;
+}
+
+bool CutterCompensationB::lend(UsualVector& vector) const {
+  if (!active_ || !made_) return false;
+  vector.event = &block_.event;
+  vector.sink = &sink_;
+  vector.offset = signed_offset().nearest();
+  vector.value = DoublePair{vector_.value[0], vector_.value[1]};
+  vector.is_new = false;
+  return vector.offset != 0;
+}
+
+void CutterCompensationB::take_back(const UsualVector& vector) {
+  if (vector.is_new) set_vector(vector.value, vector.normal, signed_offset());
+}
+
+void CutterCompensationB::set_vector(DoublePair value, const WholePair& normal, const Count& length) {
+  vector_.value = {value[0], value[1]};
+  vector_.normal = {DoubleDouble{static_cast<double>(normal[0])}, DoubleDouble{static_cast<double>(normal[1])}};
+  vector_.length = length;
+}
+
 // Sweep and radii of the tool's arc, heads from its centre.
 void CutterCompensationB::set_tool_arc(const Fine& old_head, const Fine& new_head, const DoubleDouble& scale) {
   spec::Arc<double>& arc = *block_.event.arc;
@@ -174,7 +226,7 @@ void CutterCompensationB::set_tool_arc(const Fine& old_head, const Fine& new_hea
 // G39: an arc about the programmed point, to a vector at right angles to the direction.
 void CutterCompensationB::corner_arc() {
   const Count length = signed_offset();
-  const Vector made = vector_along({-fine_units(block_.direction[1]), fine_units(block_.direction[0])}, length);
+  const Vector made = vector_along(left_normal(block_.direction), length);
   const Fine old_vector = vector_.fine();
   const Fine new_vector = made.fine();
   const DoubleDouble scale = sqrt(squared(old_vector)) + sqrt(squared(new_vector));

@@ -7,6 +7,7 @@
 
 #include "fast/arithmetic/double_double.h"
 #include "fast/basis/event.h"
+#include "fast/fanuc/cutter_compensation_b/usual_moves.h"
 #include "fast/fanuc/program/cutter_block.h"
 #include "spec/language/setup.h"
 
@@ -25,6 +26,9 @@ class CutterCompensationB {
   [[nodiscard]] CutterBlock& next() { return block_; }
   // Takes next() and sends its move.
   StageEnd block();
+  // The short cut of block(), asked behind it (usual_moves.h). False: the vector in force is not to be lent.
+  [[nodiscard]] bool lend(UsualVector& vector) const;
+  void take_back(const UsualVector& vector);
   // Nothing is ever held.
   [[nodiscard]] StageEnd release() const { return {}; }
 
@@ -44,11 +48,13 @@ class CutterCompensationB {
   [[nodiscard]] Count signed_offset() const;
   void straight();
   [[nodiscard]] Alarm arc();
-  // usual_arc.cpp: such an arc, made and sent; false: it is for the general way, and nothing is done.
+  // Such an arc (usual_arc.h), made and sent; false: it is for the general way, and nothing is done.
   [[nodiscard]] bool usual_arc();
   void corner_arc();
   void cancel();
   void set_tool_arc(const Fine& old_head, const Fine& new_head, const DoubleDouble& scale);
+  // A vector along a normal of whole numbers.
+  void set_vector(DoublePair value, const WholePair& normal, const Count& length);
   void send(const Vector& vector, bool own);
 
   EventSink& sink_;

@@ -7,8 +7,8 @@
 #include "fast/basis/fault.h"
 #include "fast/basis/short_cut.h"
 #include "fast/fanuc/control/read_words.h"
+#include "fast/fanuc/control/usual_place.h"
 #include "fast/fanuc/corner/usual_corner.h"
-#include "fast/fanuc/corner/usual_place.h"
 #include "fast/fanuc/cutter_compensation_c/cutter_compensation_c.h"
 #include "fast/geometry/heading.h"
 

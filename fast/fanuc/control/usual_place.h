@@ -8,7 +8,7 @@
 #include "fast/arithmetic/trigonometry.h"
 #include "fast/basis/event.h"
 #include "fast/fanuc/control/control.h"
-#include "fast/fanuc/corner/usual_corner.h"
+#include "fast/geometry/whole_pair.h"
 
 namespace toolcomp::fast {
 
@@ -21,6 +21,19 @@ namespace toolcomp::fast {
   const Count& y = positions.programmed()[axis[1]];
   at = {x.small(), y.small()};
   return x.is_small() && y.is_small();
+}
+
+// What all events of a program in one plane share.
+inline void set_frame(Event& event, const Event& from, spec::MoveType type, spec::Cause cause) {
+  event.type = type;
+  event.cause = cause;
+  event.programmed = from.programmed;
+  event.point = from.point;
+  event.axes = from.axes;
+  event.machine.present = 0;
+  event.tool_axis = from.tool_axis;
+  event.feed = from.feed;
+  event.t_numerator = from.t_numerator;
 }
 
 // The positions of an event in the plane of these axes: `at`, in 10^-6, with a vector.
