@@ -6,6 +6,7 @@
 namespace toolcomp::fast {
 
 enum class ShortCut : unsigned char {
+  axis_line,          // fanuc/interpreter/usual_axis_lines.*
   cutter_b_arc,       // fanuc/cutter_compensation_b/usual_arc.*
   cutter_b_move,      // fanuc/cutter_compensation_b/usual_moves.*
   cutter_line,        // fanuc/cutter_compensation_c/usual_line.cpp

@@ -39,9 +39,9 @@ using fast::Fault;
 using fast::ShortCut;
 
 constexpr unsigned set_of(ShortCut s) { return 1U << static_cast<unsigned>(s); }
-constexpr unsigned kSameArithmetic = set_of(ShortCut::cutter_b_move) | set_of(ShortCut::cutter_line) |
-                                     set_of(ShortCut::cutter_path) | set_of(ShortCut::leading_edge_line) |
-                                     set_of(ShortCut::tip_line);
+constexpr unsigned kSameArithmetic = set_of(ShortCut::axis_line) | set_of(ShortCut::cutter_b_move) |
+                                     set_of(ShortCut::cutter_line) | set_of(ShortCut::cutter_path) |
+                                     set_of(ShortCut::leading_edge_line) | set_of(ShortCut::tip_line);
 constexpr unsigned kOwnArithmetic = set_of(ShortCut::cutter_b_arc) | set_of(ShortCut::tool_side_line) |
                                     set_of(ShortCut::pair) | set_of(ShortCut::posture);
 // As the general path does too, but some of its lines are also for a short cut that has formulas of its own.
@@ -426,6 +426,63 @@ TEST(ShortCuts, GiveWhatTheGeneralPathGivesUnderLeadingEdgeOffset) {
     }
     // Most programs run on, though some of their blocks are refused.
     EXPECT_GE(moves, 10 * cases) << setup.setup;
+  }
+}
+
+constexpr std::string_view kAxisBetween[] = {
+    "M08", "F300",    "G01",        "N77",   "H2",      "G43 H1",           "G49",
+    "G00", "G91",     "G90",        "G54",   "G92 X1.", "G45 X2. D1",       "G20",
+    "G21", "G04 P10", "G41 D1\nX9", "G40 X", "D2",      "G10 L10 P1 R-3.5", "X1.1234567"};
+constexpr std::string_view kAxisSetups[] = {
+    R"(control = "fanuc"
+axes = ["X", "Y", "Z", "B", "C"]
+workpiece = {G54 = {X = 12, C = 15}}
+parameters = {19680 = 2, 19681 = 5, 19682 = 3, 19686 = 4, 19687 = 2}
+offsets = {H = {1 = 15, 2 = "-7.1234567"}, D = {1 = "4.95"}})",
+    R"(control = "fanuc"
+axes = ["Z", "A", "U", "X"]
+parameters = {5001 = 2}
+offsets = {H = {1 = "0.3", 2 = 1000}, D = {1 = "4.95"}})",
+    R"(control = "fanuc"
+axes = ["X", "Y", "Z", "W"]
+parameters = {5001 = 1, 3401 = 1}
+offsets = {H = {1 = 0, 2 = 3}, D = {1 = "4.95"}})"};
+
+// Lines without compensation in any order of their words, long enough for the short cut to be left and taken again.
+spec::Case axis_contour(std::string_view setup, std::uint64_t seed) {
+  Dice dice(seed);
+  spec::Case c;
+  c.section = "fanuc/tool-length-offset";
+  c.setup = spec::read_setup_toml(std::string(setup), "setup");
+  const std::string letters(c.setup.axes.letters());
+  c.program = fmt::format("G90 {} F250.5\n{}", dice.one_in(3) ? "G00" : "G01", dice.one_in(2) ? "G43 Z H1\n" : "");
+  for (int i = 0; i < 40; ++i) {
+    if (dice.one_in(12))
+      c.program += fmt::format("{}\n", kAxisBetween[static_cast<std::size_t>(dice.below(std::size(kAxisBetween)))]);
+    std::string block = dice.one_in(10) ? "G01 " : "";
+    const bool backwards = dice.one_in(5);
+    for (std::size_t k = 0; k < letters.size(); ++k)
+      if (!dice.one_in(4))
+        block += fmt::format("{}{:.3f} ", letters[backwards ? letters.size() - 1 - k : k],
+                             (dice.below(120'001) - 60'000) / 1000.0);
+    if (dice.one_in(10)) block += fmt::format("F{}", 1 + dice.below(900));
+    c.program += block + '\n';
+  }
+  c.program += "M30\n";
+  return c;
+}
+
+TEST(ShortCuts, GiveWhatTheGeneralPathGivesWithoutCompensation) {
+  constexpr std::uint64_t cases = test::kSanitized ? 100 : 2000;
+  for (const std::string_view setup : kAxisSetups) {
+    std::uint64_t moves = 0;
+    for (std::uint64_t seed = 1; seed <= cases; ++seed) {
+      const spec::Case c = axis_contour(setup, seed);
+      ASSERT_EQ(broken(c), "") << "seed " << seed << '\n' << setup << '\n' << c.program;
+      moves += run(c, 0)->size();
+    }
+    // Most programs run on, though some of their blocks are refused.
+    EXPECT_GE(moves, 10 * cases) << setup;
   }
 }
 

@@ -79,6 +79,10 @@ class AxisPositions {
   [[nodiscard]] bool place_usual(const spec::Decimal& word, std::size_t axis);
   // A position in 10^-6, small.
   void place_small(std::size_t axis, std::int64_t small);
+  // The length offset of an axis placed by it, 10^-6; the sum is small.
+  void add_small_offset(std::size_t axis, std::int64_t offset) {
+    axes_value_[axis] = Count::nearest_small(programmed_[axis].small() + offset);
+  }
   // The offsets of an axis placed by one of the two (read_words.h).
   void add_offset(std::size_t axis);
 

@@ -9,7 +9,13 @@
 namespace toolcomp::fast {
 
 Interpreter::Interpreter(const spec::Setup& setup, Control& control, const Stages& stages, EventSink& sink)
-    : control_(control), stages_(stages), measurement_(setup), sink_(sink), moves_(&sink), tip_lines_(control) {
+    : control_(control),
+      stages_(stages),
+      measurement_(setup),
+      sink_(sink),
+      moves_(&sink),
+      tip_lines_(control),
+      axis_lines_(control) {
   control_.begin(setup);
   control_.taker = this;
 }
@@ -117,6 +123,8 @@ void Interpreter::block(const spec::Block& block) {
     raise(a);
   else if (control_.attitude.tip().active() && rest_)
     tip_lines_.await();
+  else if (on_ == nullptr && words.axes() != 0 && may_be_lines())
+    axis_lines_.await(move_, *moves_);
 }
 
 void Interpreter::other_block(const Words& words) {

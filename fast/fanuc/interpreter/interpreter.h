@@ -12,6 +12,7 @@
 #include "fast/fanuc/control/control.h"
 #include "fast/fanuc/control/stage.h"
 #include "fast/fanuc/control/usual_tip_lines.h"
+#include "fast/fanuc/interpreter/usual_axis_lines.h"
 #include "fast/fanuc/program/words.h"
 #include "fast/fanuc/tool_length_measurement/tool_length_measurement.h"
 #include "spec/language/fanuc/block.h"
@@ -57,7 +58,7 @@ class Interpreter final : public BlockTaker {
   // Everything a stage holds goes out; true if that ended the run.
   [[nodiscard]] bool release_held();
 
-  // lines.cpp
+  // lines.cpp: lines for which no stage is on.
   [[nodiscard]] bool may_be_lines() const;
   // The axes its words name; 0: it has other words, or an offset of many places or digits.
   [[nodiscard]] Mask axes_of(const LineChunk& chunk) const;
@@ -101,6 +102,7 @@ class Interpreter final : public BlockTaker {
   EventSink* moves_;  // where uncompensated moves go
   Event move_;        // the next one
   UsualTipLines tip_lines_;
+  UsualAxisLines axis_lines_;
   // Behind the last block with commands: the stage that was on, and whether all of them rest.
   Stage* on_ = nullptr;
   bool rest_ = true;

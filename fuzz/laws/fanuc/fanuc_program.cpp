@@ -15,12 +15,6 @@
 namespace toolcomp::fuzz::laws {
 namespace {
 
-// Ten times the number of a G code; -1 for a number that is no code.
-int code_of(const spec::Decimal& d) {
-  if (d.negative || d.decimals > 1 || d.digits > 9999) return -1;
-  return static_cast<int>(d.decimals == 1 ? d.digits : d.digits * 10);
-}
-
 bool among(int code, std::initializer_list<int> codes) { return std::ranges::find(codes, code) != codes.end(); }
 
 bool is_motion(int code) { return among(code, {0, 10, 20, 30}); }
@@ -87,6 +81,11 @@ std::optional<exact::Rational> cutter_value(const spec::Setup& setup, std::uint6
 }
 
 bool FanucBlock::has(char address) const { return value(address) != nullptr; }
+
+int code_of(const spec::Decimal& d) {
+  if (d.negative || d.decimals > 1 || d.digits > 9999) return -1;
+  return static_cast<int>(d.decimals == 1 ? d.digits : d.digits * 10);
+}
 
 bool FanucBlock::has_code(int code) const {
   return std::ranges::any_of(words, [&](const spec::Word& w) { return w.address == 'G' && code_of(w.value) == code; });

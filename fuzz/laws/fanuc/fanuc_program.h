@@ -14,6 +14,9 @@
 
 namespace toolcomp::fuzz::laws {
 
+// Ten times the number of a G code; -1 for a number that is no code.
+int code_of(const spec::Decimal& d);
+
 // One block. Codes are ten times the number behind G: 412 is G41.2.
 struct FanucBlock {
   std::uint64_t line = 0;

@@ -117,10 +117,11 @@ std::optional<spec::Word> change(const Map& map, const spec::Word& word) {
     const auto value = image_of(map, word.value, 1);
     if (!value) return std::nullopt;
     image.value = *value;
-  } else if (map.mirrors && word.address == 'G' && word.value.is_integer()) {
-    auto& code = image.value.digits;
-    if (code == 41 || code == 42) code = 83 - code;
-    if (code == 2 || code == 3) code = 5 - code;
+  } else if (map.mirrors && word.address == 'G') {
+    // G41.0 is G41.
+    const int code = code_of(word.value);
+    if (code == 410 || code == 420) image.value = spec::decimal(83 - code / 10);
+    if (code == 20 || code == 30) image.value = spec::decimal(5 - code / 10);
   }
   return image;
 }
