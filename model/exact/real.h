@@ -101,6 +101,9 @@ Real cos_real_degrees(const Real& degrees);
 Real pi();
 Real square(const Real& a);
 
+// Zero as known without further proof.
+inline bool known_zero(const Real& a) { return a.is_rational() && a.sign() == Sign::zero; }
+
 inline Sign sign(const Real& a) { return a.sign(); }
 inline Sign compare(const Real& a, const Real& b) { return (a - b).sign(); }
 // Certified comparisons; they throw Undecided.

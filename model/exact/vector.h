@@ -30,6 +30,8 @@ inline Real dot(const Vector3& a, const Vector3& b) { return a.x * b.x + a.y * b
 inline Vector3 cross(const Vector3& a, const Vector3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
+/// Zero as known without further proof.
+inline bool known_zero(const Vector3& a) { return known_zero(a.x) && known_zero(a.y) && known_zero(a.z); }
 /// The square of the length.
 inline Real squared_norm(const Vector3& a) { return square(a.x) + square(a.y) + square(a.z); }
 

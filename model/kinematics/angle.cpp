@@ -6,8 +6,6 @@
 namespace toolcomp::model {
 namespace {
 
-bool known_zero(const Real& x) { return x.is_rational() && x.sign() == Sign::zero; }
-
 Rational with_sign(Sign sign, int value) { return sign == Sign::negative ? -value : value; }
 
 // The angles of which sine and cosine, or their magnitudes, agree with small whole numbers; (x, y) is not (0, 0). One

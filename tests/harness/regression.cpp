@@ -21,6 +21,7 @@ TEST(Regression, EveryFindingThatWasFixedIsJudgedAndAgrees) {
   for (const spec::Case& c : cases) {
     const fuzz::Trial trial = fuzz::try_case(c);
     EXPECT_FALSE(trial.found()) << c.id << ": " << fuzz::explain(*trial.verdict.difference);
+    EXPECT_EQ(trial.verdict.outcome, fuzz::Outcome::agrees) << c.id;
     EXPECT_GT(trial.verdict.values, 0U) << c.id;
     EXPECT_NE(std::ranges::find(fuzz::sections(), c.section), fuzz::sections().end()) << c.id;
   }

@@ -10,8 +10,6 @@
 namespace toolcomp::model {
 namespace {
 
-bool known_zero(const Real& x) { return x.is_rational() && x.sign() == Sign::zero; }
-
 // Of X Y Z the one across the plane.
 std::size_t normal_axis(spec::Plane plane) {
   return 3 - space_index(letters(plane).first) - space_index(letters(plane).second);

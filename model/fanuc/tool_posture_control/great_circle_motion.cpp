@@ -9,8 +9,6 @@
 namespace toolcomp::model {
 namespace {
 
-bool known_zero(const Real& x) { return x.is_rational() && x.sign() == Sign::zero; }
-
 // The angle of (x, y), y not negative, degrees from 0 to 180. Only of y = 0 a sign is asked.
 Real upper_angle(const Real& x, const Real& y) {
   if (known_zero(y)) return x.sign() == Sign::negative ? 180 : 0;

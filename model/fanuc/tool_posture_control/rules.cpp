@@ -6,6 +6,16 @@
 #include "model/kinematics/mechanism.h"
 
 namespace toolcomp::model {
+namespace {
+
+// Of the distance from the axis to the great circle, at the foot. Both ends at right angles to the axis: so is all of
+// the circle; that the difference below is zero then would have to be proven.
+Real cosine_at_foot(const GreatCircle& arc, const AxisPassed& work_axis) {
+  if (known_zero(work_axis.along_from) && known_zero(work_axis.along_to)) return {};
+  return sqrt(1 - square(work_axis.side) / arc.normal2());
+}
+
+}  // namespace
 
 // fanuc.tool-posture.no-plane: Where Vs and Ve are equal or opposite there is no plane: the block runs under
 // conventional control, to the pair of fanuc.tool-center-point.choice (type 2) or the one commanded (type 1). The test
@@ -106,7 +116,7 @@ void PostureRules::require_reach_inside(const GreatCircle& arc, const AxisPassed
   const Machine::Heights& heights = machine_.heights();
   for (const int sign : {1, -1}) {
     if (machine_.singular(sign) != nullptr || !has_foot_inside(arc, work_axis, sign)) continue;
-    const Real nearest = sqrt(1 - square(work_axis.side) / arc.normal2());
+    const Real nearest = cosine_at_foot(arc, work_axis);
     const Real greatest = sign * heights.mean + sqrt(heights.swing2);
     if (recorder_.decide(Clause::fanuc_tool_posture_reach_inside, greatest - nearest, 2) == Sign::negative)
       throw Alarm("PS5459", "a tool direction inside the block that the rotary axes cannot reach");
@@ -133,7 +143,7 @@ bool PostureRules::looks(bool type_2) const {
 // ends counts, +u_w where they are equally near. Its distance d is that of the foot where that lies inside, else that
 // of the nearer end.
 PostureRules::Distance PostureRules::distance(const GreatCircle& arc, const AxisPassed& work_axis, int sign) const {
-  if (has_foot_inside(arc, work_axis, sign)) return {true, sqrt(1 - square(work_axis.side) / arc.normal2())};
+  if (has_foot_inside(arc, work_axis, sign)) return {true, cosine_at_foot(arc, work_axis)};
   const Real at_start = sign * work_axis.cosine_from;
   const Real at_end = sign * work_axis.cosine_to;
   return {false, at_start < at_end ? at_end : at_start};

@@ -22,8 +22,6 @@ Goal goal(const SharedFrame& frame, const Direction& direction) {
   return result;
 }
 
-bool known_zero(const Real& x) { return x.is_rational() && x.sign() == Sign::zero; }
-
 // What is known to be zero of an arc that leans the tool from where it stands toward a travel: it runs in their plane.
 void pass_leaned(const GreatCircle& arc, const Vector& travel, const Vector& axis, AxisPassed& passed) {
   const Vector& from = arc.from().vector;

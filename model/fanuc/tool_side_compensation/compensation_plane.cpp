@@ -6,20 +6,17 @@
 namespace toolcomp::model {
 namespace {
 
-bool is_known_zero(const Real& x) { return x.is_rational() && x.sign() == Sign::zero; }
-
 // Any axis that is not the tool's will do: nothing that follows depends on the choice.
 std::size_t axis_across(const Vector& tool) {
   for (std::size_t i = 0; i < 3; ++i)
-    if (is_known_zero(component(tool, i))) return i;
+    if (known_zero(component(tool, i))) return i;
   return square(tool.x) < square(tool.y) + square(tool.z) ? 0 : 1;
 }
 
 }  // namespace
 
 bool CompensationPlane::is_same_as(const CompensationPlane& other) const {
-  const Vector difference = tool_.vector - other.tool_.vector;
-  return is_known_zero(difference.x) && is_known_zero(difference.y) && is_known_zero(difference.z);
+  return known_zero(tool_.vector - other.tool_.vector);
 }
 
 PlaneFrame CompensationPlane::frame() const {

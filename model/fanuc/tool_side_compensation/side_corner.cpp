@@ -4,11 +4,6 @@
 namespace toolcomp::model {
 namespace {
 
-bool is_known_zero(const Vector& v) {
-  const auto zero = [](const Real& x) { return x.is_rational() && x.sign() == Sign::zero; };
-  return zero(v.x) && zero(v.y) && zero(v.z);
-}
-
 // The stop point is the head of the intersection or of the first vector of an acute corner: the first head, or the one
 // behind the vector that stands square to the former block.
 void mark_stop(SpaceGroup& group) {
@@ -21,7 +16,7 @@ void mark_stop(SpaceGroup& group) {
 FramedCorner::FramedCorner(const SideCorner& corner) : corner_(corner) {
   const Vector v1 = direction_of(corner.former);
   const Vector v2 = direction_of(corner.latter);
-  if (is_known_zero(cross(v1, v2)) && !corner.plane.has_rational_tool()) {
+  if (known_zero(cross(v1, v2)) && !corner.plane.has_rational_tool()) {
     set_parallel(v1, v2);
     return;
   }

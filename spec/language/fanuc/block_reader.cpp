@@ -124,9 +124,9 @@ void BlockReader::go_on(std::unique_ptr<ByteSource> bytes) {
   exhausted_ = false;
 }
 
-std::uint32_t BlockReader::column() const {
+std::uint32_t BlockReader::column_of(const char* at) const {
   constexpr std::uint64_t kLast = std::numeric_limits<std::uint32_t>::max();
-  return static_cast<std::uint32_t>(std::min(offset() - line_start_ + 1, kLast));
+  return static_cast<std::uint32_t>(std::min(offset_of(at) - line_start_ + 1, kLast));
 }
 
 bool BlockReader::refill() {
@@ -261,7 +261,10 @@ bool BlockReader::read_word(Block& block, char letter) {
   take();
   letter_ = letter;
   Decimal value;
-  if (!read_usual(admitted, value) && !read_number(block, admitted, start, value)) return false;
+  if (const char* const end = read_usual(position_, admitted, value))
+    position_ = end;
+  else if (!read_number(block, admitted, start, value))
+    return false;
   if (letter == 'N') {
     block.n = value.digits;
     return true;
@@ -321,19 +324,42 @@ bool BlockReader::read_number(Block& block, const Address& admitted, std::uint32
   return true;
 }
 
-bool BlockReader::read_usual(const Address& admitted, Decimal& value) {
+// The place is at hand, not in the reader: what is written of a word would have to be waited for there.
+bool BlockReader::read_usual_words(Block& block) {
   const char* at = position_;
+  for (;;) {
+    const char letter = upper(*at);
+    const Address& admitted = address_[static_cast<unsigned char>(letter)];
+    // M may call a program.
+    if (!admitted.known || letter == 'M' || block.size == Block::kMaxWords) break;
+    Decimal value;
+    const char* const end = read_usual(at + 1, admitted, value);
+    if (end == nullptr) break;
+    if (letter == 'N')
+      block.n = value.digits;
+    else
+      block.word[block.size++] = {letter, value, column_of(at)};
+    at = *end == ' ' ? end + 1 : end;
+  }
+  if (at == position_) return false;
+  started_ = true;
+  position_ = at;
+  return true;
+}
+
+[[gnu::always_inline]] inline const char* BlockReader::read_usual(const char* at, const Address& admitted,
+                                                                  Decimal& value) const {
   value.negative = *at == '-';
   if (value.negative) ++at;
   const Digits before = digits_at(at);
-  if (before.count > 7) return false;
+  if (before.count > 7) return nullptr;
   at += before.count;
   value.point = *at == '.';
   value.digits = before.number;
   unsigned count = before.count;
   if (value.point) {
     const Digits behind = digits_at(++at);
-    if (behind.count > 7) return false;
+    if (behind.count > 7) return nullptr;
     at += behind.count;
     value.digits = value.digits * kPowersOfTen[behind.count] + behind.number;
     value.decimals = static_cast<std::uint8_t>(behind.count);
@@ -342,9 +368,8 @@ bool BlockReader::read_usual(const Address& admitted, Decimal& value) {
   // A number that reaches the end of the buffer may go on behind it.
   if (count == 0 || at == end_ || *at == '.' || *at == '-' || (value.negative && !admitted.sign) ||
       (value.point && !admitted.point))
-    return false;
-  position_ = at;
-  return true;
+    return nullptr;
+  return at;
 }
 
 bool BlockReader::read_block(Block& block) {
@@ -366,11 +391,7 @@ bool BlockReader::read_block(Block& block) {
         take();
         break;
       case Kind::letter:
-        // And the words behind it, which stand a blank apart at most.
-        while (read_word(block, upper(*position_))) {
-          if (*position_ == ' ') take();
-          if (kKinds[static_cast<unsigned char>(*position_)] != Kind::letter) break;
-        }
+        if (!read_usual_words(block)) read_word(block, upper(*position_));
         break;
       case Kind::colon:
         read_word(block, 'O');

@@ -67,21 +67,25 @@ class BlockReader {
   bool refill();
   void skip_byte_order_mark();
 
-  // Bytes taken so far.
-  [[nodiscard]] std::uint64_t offset() const {
-    return consumed_ + static_cast<std::uint64_t>(position_ - buffer_.data());
+  // Bytes taken up to one in the buffer, and so far.
+  [[nodiscard]] std::uint64_t offset_of(const char* at) const {
+    return consumed_ + static_cast<std::uint64_t>(at - buffer_.data());
   }
-  // Of the byte that peek() shows.
-  [[nodiscard]] std::uint32_t column() const;
+  [[nodiscard]] std::uint64_t offset() const { return offset_of(position_); }
+  // Of a byte in the buffer, and of the one that peek() shows.
+  [[nodiscard]] std::uint32_t column_of(const char* at) const;
+  [[nodiscard]] std::uint32_t column() const { return column_of(position_); }
 
   // One block, up to and with what ends it; false if it has no word but N and no alarm.
   bool read_block(Block& block);
   // These return whether all is well; after a fault the rest of the block is behind.
   bool read_word(Block& block, char letter);
   bool read_number(Block& block, const Address& admitted, std::uint32_t start, Decimal& value);
-  // The usual number without a detour, [-]digits[.digits] of at most seven each; false, and nothing taken, where it is
-  // or may be any other.
-  bool read_usual(const Address& admitted, Decimal& value);
+  // The words from here on, a blank apart at most, as long as they have usual numbers. False: not even the first one.
+  bool read_usual_words(Block& block);
+  // The usual number without a detour, [-]digits[.digits] of at most seven each: where it ends; nullptr where it is or
+  // may be any other.
+  [[nodiscard]] const char* read_usual(const char* at, const Address& admitted, Decimal& value) const;
   bool read_slash(Block& block);
   bool read_name(Block& block);
   bool raise(Block& block, std::uint32_t column, const char* number, const char* message);
