@@ -26,6 +26,17 @@ void Control::begin(const spec::Setup& setup) {
 
 void Control::fill(Event& event, spec::MoveType type, spec::Cause cause) { fill_here(event, type, cause); }
 
+void Control::name_place(Event& event) {
+  for (std::size_t axis = 0; axis < axes.count; ++axis) {
+    const Count position = positions.actual(axis);
+    event.programmed.value[axis] = positions.programmed_value(axis);
+    event.point.value[axis] = position.nearest();
+    event.axes.value[axis] = (position + positions.length()[axis]).nearest();
+  }
+  // Where the programmed coordinates of the rotary axes turn it.
+  if (kinematics.defined()) attitude.fill(event);
+}
+
 Alarm Control::shift_coordinates(const Words& words) {
   const Alarm a = for_each_axis(words.axes(), [&](std::size_t axis) {
     const Count word = units.value(words.axis(axis), (axes.linear & bit(axis)) != 0);

@@ -78,6 +78,9 @@ struct Control {
   void fill(Event& event, spec::MoveType type, spec::Cause cause);
   // The same in place, for the path that every block takes.
   void fill_here(Event& event, spec::MoveType type, spec::Cause cause);
+  // How the place where the axes stand is called now, without vectors: behind a change of the workpiece system nothing
+  // else of an event changes.
+  void name_place(Event& event);
   [[nodiscard]] Count target(const Words& words, std::size_t axis) const {
     return positions.target(words, axis, units, modal.incremental());
   }

@@ -328,16 +328,7 @@ template <class Compensation>
 void CutterStage<Compensation>::rename() {
   if constexpr (kIsC<Compensation>) {
     if (control_.stopped) return;
-    const AxisPositions& positions = control_.positions;
-    Event& event = compensation_.next().event;
-    for (std::size_t axis = 0; axis < control_.axes.count; ++axis) {
-      const Count position = positions.actual(axis);
-      event.programmed.value[axis] = positions.programmed_value(axis);
-      event.point.value[axis] = position.nearest();
-      event.axes.value[axis] = (position + positions.length()[axis]).nearest();
-    }
-    // Where the programmed coordinates of the rotary axes turn it.
-    if (control_.kinematics.defined()) control_.attitude.fill(event);
+    control_.name_place(compensation_.next().event);
     compensation_.rebase();
   }
 }

@@ -25,6 +25,8 @@ struct ToolSideBlock {
   bool repeated = false;  // the code in the block is the one in force before it
   int side = 1;           // +1 left: by code and sign of the value
   Treatment treatment = Treatment::none;
+  // Where it starts, as that is called behind its change of the workpiece system; nullptr: it changes none.
+  const Event* renamed = nullptr;
 
   const Direction* tool = nullptr;         // at the end of the block
   std::uint64_t tool_number = 0;           // another one for every direction of the program

@@ -208,6 +208,14 @@ void ToolSideCompensation::keep_without_direction() {
   send_held(at_start().front().vector);
 }
 
+// A move belongs to the block: it is written in the coordinates of that.
+void ToolSideCompensation::rename_corner(Event& move, const Event& place) {
+  move.programmed.value = place.programmed.value;
+  move.point.value = place.point.value;
+  move.axes.value = place.axes.value;
+  if (move.tool_axis) move.tool_axis = place.tool_axis;
+}
+
 // From the last head of the corner before it straight to its end, without a vector, where it moves at its own end.
 StageEnd ToolSideCompensation::cancel_block(ToolSideBlock& block) {
   const bool at_end = next_moves();
@@ -223,7 +231,10 @@ StageEnd ToolSideCompensation::cancel_block(ToolSideBlock& block) {
       const bool repeated = repeated_ || block.repeated || starts_up_;
       if (const Alarm a = join(to, repeated ? CornerRule::repeated : CornerRule::cancel)) return at_fault(a);
     }
-    pass_corner(block);
+    const std::size_t head = pass_blocks_before();
+    if (block.renamed != nullptr && !fault(Fault::side_corner_not_renamed)) [[unlikely]]
+      rename_corner(corner_move(at_start()), *block.renamed);
+    send_corner_moves(block, head);
   }
   if (at_end) {
     remove_vector(block, true);

@@ -140,12 +140,19 @@ void ToolSideStage::set_arc(ToolSideBlock& block, const ArcWords& words) const {
   }
 }
 
+void ToolSideStage::rename() {
+  control_.name_place(place_);
+  renames_ = true;
+}
+
 Alarm ToolSideStage::pass(const Words& words, bool extra, const BlockArc& arc) {
   Control& control = control_;  // at hand: behind what is written through it, it would be looked up again
   ToolSideBlock& block = compensation_.next();
   const AxisPositions& positions = control.positions;
   const Mask named = words.axes();
   const std::uint32_t q = words.has('Q') ? whole_number(words['Q'], 3) : 0;
+  block.renamed = renames_ ? &place_ : nullptr;
+  renames_ = false;
   block.wanted = wanted_;
   block.side = sign_;
   block.treatment = static_cast<Treatment>(q > 3 ? 0 : q);

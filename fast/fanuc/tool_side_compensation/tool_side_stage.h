@@ -36,6 +36,7 @@ class ToolSideStage final : private BlockTaker, public Stage {
   }
   [[nodiscard]] Alarm take(const Words& words, Command& command) override;
   [[nodiscard]] Alarm move(const Words& words, const OwnMove& own) override;
+  void rename() override;
 
  private:
   // The words of an arc, or letters that would make one.
@@ -69,6 +70,8 @@ class ToolSideStage final : private BlockTaker, public Stage {
 
   ToolSideCompensation compensation_;
   BlockArc arc_;  // of a block under G02 or G03
+  Event place_;   // where a block starts that changes the workpiece system
+  bool renames_ = false;
   CutterSide word_ = CutterSide::off;
   int sign_ = 1;         // +1 left: by code and sign of the value
   bool wanted_ = false;  // a code is in force with a number

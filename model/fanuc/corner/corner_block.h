@@ -12,27 +12,34 @@
 namespace toolcomp::model {
 
 struct CornerBlock : StageWords {
-  std::optional<CutterSide> code;        // a word of the section's codes, or G40
-  CutterSide before = CutterSide::none;  // side in force before the block
-  CutterSide side = CutterSide::none;    // and at its end
-  bool number_given = false;             // a D word, or with OFH = 1 an H word
-  std::uint32_t number = 0;              // offset number in force at its end
-  Rational offset;                       // its signed value; 0 while `side` is none
-  bool other_compensation = false;       // a code of group 07 that is not the section's
-  bool plane_changed = false;            // of G17, G18, G19, against the block before
-  bool arc_words = false;                // an arc by its words
-  std::optional<Rational> radius;        // of such an arc, where R gives it
-  bool is_block = true;                  // any word, N and O included
+  std::optional<CutterSide> code;         // a word of the section's codes, or G40
+  CutterSide before = CutterSide::none;   // side in force before the block
+  CutterSide side = CutterSide::none;     // and at its end
+  bool number_given = false;              // a D word, or with OFH = 1 an H word
+  std::uint32_t number = 0;               // offset number in force at its end
+  Rational offset;                        // its signed value; 0 while `side` is none
+  bool other_compensation = false;        // a code of group 07 that is not the section's
+  bool plane_changed = false;             // of G17, G18, G19, against the block before
+  bool arc_words = false;                 // an arc by its words
+  std::optional<Rational> radius;         // of such an arc, where R gives it
+  bool is_block = true;                   // any word, N and O included
+  bool changes_workpiece_system = false;  // G54–G59, G54.1, or another origin of one
   // The programmed position of every axis where the block starts, if the workpiece system changes in it.
   std::optional<Position> position;
   Direction tool;  // there
+
+  void add_place(const BlockWay& way) {
+    if (!changes_workpiece_system) return;
+    position = way.start.end;
+    tool = way.tool_at(*position);
+  }
 
   // A word equal to the code in force before it.
   [[nodiscard]] bool repeats_code() const { return code && *code != CutterSide::none && *code == before; }
 
   void state(spec::StateWriter& out) const override {
     out(code, before, side, number_given, number, offset, other_compensation, plane_changed, arc_words, radius,
-        is_block, position, tool);
+        is_block, changes_workpiece_system, position, tool);
   }
 };
 

@@ -38,7 +38,6 @@ struct CutterBlock final : CornerBlock {
   bool axis_word = false;               // of whatever axis
   bool axis_word_outside = false;       // of an axis outside the plane
   bool tip_control = false;             // G43.4, G43.5
-  bool changes_workpiece_system = false;  // G54–G59
 
   // The movement.
   PlaneMotion motion = PlaneMotion::none;
@@ -54,7 +53,7 @@ struct CutterBlock final : CornerBlock {
   void state(spec::StateWriter& out) const override {
     CornerBlock::state(out);
     out(one_shot, number_before, direction, direction_letters, plane, lacks_axis, word, axis_word, axis_word_outside,
-        tip_control, changes_workpiece_system, motion, start, ends, end, arc, arc_direction);
+        tip_control, motion, start, ends, end, arc, arc_direction);
   }
 };
 

@@ -129,10 +129,7 @@ void CutterWords::add_movement(CutterBlock& block, const BlockWay& way) const {
   block.end = legs.empty() ? block.start : point(block.plane, legs.back());
   block.motion = motion_of(block, legs);
   for (const Leg& leg : legs) block.ends.push_back(point(block.plane, leg));
-  if (block.changes_workpiece_system) {
-    block.position = way.start.end;
-    block.tool = way.tool_at(*block.position);
-  }
+  block.add_place(way);
   if (block.motion != PlaneMotion::arc) return;
   const spec::Arc<Real>& arc = *legs.front().arc;
   const PlaneLetters in_plane = letters(block.plane);

@@ -38,6 +38,9 @@ class ToolSideCompensation final : public StageOf<ToolSideBlock>, private Corner
   // From the first G41.2, G42.2, G41.6 or G42.6 of a program on. Throws Alarm TOOL_SIDE_MODE, PS0037,
   // FORBIDDEN_IN_3D_COMPENSATION, Q_FORMAT, TYPE_C_FORMAT, PS0034 or PS0029.
   std::shared_ptr<StageWords> read(const StageCommand& now) override;
+  void add_way(StageWords& words, const BlockWay& way) const override {
+    static_cast<ToolSideBlock&>(words).add_place(way);
+  }
   void take(const Step& step) override;
   void finish() override;
 

@@ -82,6 +82,7 @@ std::shared_ptr<ToolSideBlock> ToolSideWords::read(const StageCommand& now) {
     block.radius = radius < 0 ? Rational(-radius) : radius;
   }
   block.is_block = command.is_block;
+  block.changes_workpiece_system = codes.workpiece.has_value();
   return result;
 }
 

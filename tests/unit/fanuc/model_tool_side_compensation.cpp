@@ -86,6 +86,14 @@ TEST(ModelToolSide, CancelOfTypeB) {
                    "4 linear X94 Y40 Z-8 (cancel)"}));
 }
 
+// By hand, clause fanuc.tool-side.stop-point: up Y, then right: the paths meet at (-10, 110), square to the cancel block
+// stands (0, 110), which that block calls X-30.
+TEST(ModelToolSide, CancelInAnotherWorkpieceSystem) {
+  const std::string with = setup(kTypeB, "Y = -40\n") + "[workpiece.G59]\nX = 30\n";
+  EXPECT_EQ(behind(1, with, "G01 G41.2 D1 Y0 F1\nY100\nG40 G59 X20\n"),
+            (Lines{"2 linear X-10 Y110 Z0", "3 linear X-30 Y110 Z0 (corner)", "3 linear X20 Y100 Z0 (cancel)"}));
+}
+
 TEST(ModelToolSide, PlaneChangeFormat) {
   const auto change = [](const std::string& q, const std::string& parameters) {
     return behind(2, head(parameters, "Y = 40\nZ = 40\n", "A"),
