@@ -185,6 +185,7 @@ Definition moving_step {num} {N : Numbers num} (s : setup num) (c : command num)
     fanuc.cutter-c.start-without-motion: SUV = 1 and the word G41 or G42.
     fanuc.cutter-c.start-without-next-block: a count of two, or the mode not asked for any more, and nothing starts; the
     word in the block that brings the count to two starts anew.
+    fanuc.cutter-c.restart-before-removal, before
     fanuc.cutter-c.coordinate-shift: G52 or G92 of the plane is undecided in the mode, and while the start waits. *)
 Definition idle_step {num} {N : Numbers num} (s : setup num) (c : command num) (asked : option hand) (value : num)
     (before : state num) : outcome (result num) :=
@@ -196,7 +197,9 @@ Definition idle_step {num} {N : Numbers num} (s : setup num) (c : command num) (
         meets (which (naming_words c)) (plane_axis_set s (in_plane (in_modes c)))
     | _ => false end in
   let waits := match in_phase x, asked with Pending _, Some _ => true | _, _ => false end in
-  if (mode_is_on (in_phase x) || waits) && renames_plane then Undecided "fanuc.cutter-c.coordinate-shift"
+  let restarts := match in_phase x, asked with Ending, Some _ => true | _, _ => false end in
+  if restarts then Undecided "fanuc.cutter-c.restart-before-removal"
+  else if (mode_is_on (in_phase x) || waits) && renames_plane then Undecided "fanuc.cutter-c.coordinate-shift"
   else
     let starts hand :=
       left <- on_left hand value ;; r <- magnitude value ;; Got (LoneStart, Pending 0, zero2, r, left) in
@@ -208,8 +211,7 @@ Definition idle_step {num} {N : Numbers num} (s : setup num) (c : command num) (
         if k + n <? 2 then Got (Idle n, Pending (k + n), zero2, reach x, was_left x)
         else if says_hand c then starts hand
         else Got (Idle n, Off, zero2, 0%num, true)
-    | Ending, Some _ => Undecided "fanuc.cutter-c.restart-before-removal"
-    | Ending, None => Got as_before
+    | Ending, _ => Got as_before
     | _, Some _ => Got as_before
     | _, None => ends_alone s LoneCancel x
     end.
