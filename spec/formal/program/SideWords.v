@@ -69,11 +69,10 @@ Definition removes_vector {num} (s : setup num) (c : command num) (st : state nu
 
 Definition in_arc {num} (c : command num) : bool :=
   match motion (in_modes c) with Clockwise | Counterclockwise => true | _ => false end.
-Definition arc_by_words {num} (s : setup num) (c : command num) (st : state num) : bool :=
+(** fanuc.cutter-c.start-or-cancel-in-arc: I J K of a tool direction count too. *)
+Definition arc_by_words {num} (s : setup num) (c : command num) : bool :=
   match acting c with
-  | None =>
-      let b := if under_vector c st then without_direction (block_of c) else block_of c in
-      runs_arc (in_modes c) s (position_words c) (takes_letters (codes_said c)) b
+  | None => runs_arc (in_modes c) s (position_words c) (takes_letters (codes_said c)) (block_of c)
   | _ => false
   end.
 Definition planes_differ (a b : plane) : bool :=
@@ -105,7 +104,7 @@ Definition side_alarms {num} {N : Numbers num} (s : setup num) (c : command num)
   let on_before := side_on x in
   let on_after := asked_behind s c st in
   let axis_word := moving_word s c st in
-  let arc := arc_by_words s c st in
+  let arc := arc_by_words s c in
   let makes := makes_vector s c st in
   let removes := removes_vector s c st in
   let q_known := match whole_word Letter.Q b with Some q => (1 <=? q) && (q <=? 3) | None => false end in
