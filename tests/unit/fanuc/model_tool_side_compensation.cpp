@@ -86,8 +86,8 @@ TEST(ModelToolSide, CancelOfTypeB) {
                    "4 linear X94 Y40 Z-8 (cancel)"}));
 }
 
-// By hand, clause fanuc.tool-side.stop-point: up Y, then right: the paths meet at (-10, 110), square to the cancel block
-// stands (0, 110), which that block calls X-30.
+// By hand, clause fanuc.tool-side.stop-point: up Y, then right: the paths meet at (-10, 110), square to the cancel
+// block stands (0, 110), which that block calls X-30.
 TEST(ModelToolSide, CancelInAnotherWorkpieceSystem) {
   const std::string with = setup(kTypeB, "Y = -40\n") + "[workpiece.G59]\nX = 30\n";
   EXPECT_EQ(behind(1, with, "G01 G41.2 D1 Y0 F1\nY100\nG40 G59 X20\n"),
