@@ -548,8 +548,6 @@ class ToolSide {
           turning_movement();
         else
           straight();
-        // Only here may the workpiece system change.
-        if (choose_.chance(8)) write_.word(choose_.one_of({"G54", "G55", "G59"}));
         return end_of_movement();
       case 1:
         write_.word("G40").end_block();
