@@ -232,7 +232,7 @@ StageEnd ToolSideCompensation::cancel_block(ToolSideBlock& block) {
       if (const Alarm a = join(to, repeated ? CornerRule::repeated : CornerRule::cancel)) return at_fault(a);
     }
     const std::size_t head = pass_blocks_before();
-    if (block.renamed != nullptr && !fault(Fault::side_corner_not_renamed)) [[unlikely]]
+    if (block.renamed != nullptr) [[unlikely]]
       rename_corner(corner_move(at_start()), *block.renamed);
     send_corner_moves(block, head);
   }

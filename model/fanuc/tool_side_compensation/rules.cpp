@@ -18,7 +18,7 @@ SpaceGroup SideRules::square_to(const CompensationPlane& plane, const SideEnd& f
 // also where the rotary axes turn in that block or in the next one: both blocks of a corner are seen in the plane at
 // the end of the first.
 // fanuc.tool-side.stop-point: Corner moves before the single-block stop point S run at the feed of the block before,
-// those behind it at that of the next, and in its coordinates. S is the head of Vi, or of K1 (ours).
+// those behind it at that of the next. S is the head of Vi, or of K1 (ours).
 SpaceGroup SideRules::in_plane(SpaceGroup group) const {
   recorder_.reach(Clause::fanuc_tool_side_plane);
   for (std::size_t i = 1; i < group.size(); ++i)

@@ -74,7 +74,8 @@ void ToolSideCompensation::check(const ToolSideBlock& words) const {
   check_type_c(words, starts, cancels);
   // fanuc.cutter-c.start-or-cancel-in-arc: PS0034: an arc as start-up block, or as cancel block. It is told by the
   // words: G02 or G03 in force, no other code of group 00 (G45 to G48 are none here), and an axis word of the plane, R,
-  // I, J or K in the block (of tool side compensation also where I J K are a tool direction).
+  // I, J or K in the block. In tool side compensation I J K count also where they are a tool direction: the manual
+  // speaks of the mode.
   if (words.arc_words && (starts || cancels))
     raise(recorder(), Clause::fanuc_cutter_c_start_or_cancel_in_arc, "PS0034",
           "tool side compensation started or cancelled in an arc");

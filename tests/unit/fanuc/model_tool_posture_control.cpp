@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tests/unit/fanuc/posture_run.h"
+#include "tests/unit/model_run.h"
 
 namespace {
 
@@ -38,6 +39,37 @@ TEST(ModelToolPosture, BranchOfTypeOne) {
   // Across the pole with C standing.
   EXPECT_FALSE(hc.to(Pose{20, 0}, Pose{-40, 0}).branch_differs);
   EXPECT_EQ(pose_at(hc.to(Pose{20, 0}, Pose{-40, 0}), Rational(1, 3)), "0 0");
+}
+
+// Found by a campaign. The tool, commanded in the plane X Y, leans there along a line and along an arc: both ends are
+// at right angles to the work-side axis Z, so they stand 90 degrees of tilt, 85 of A beside 19698, and no further proof
+// is asked for.
+TEST(ModelToolPosture, LeansInThePlaneAcrossTheWorkSideAxis) {
+  const auto done = test::run(R"(control = "fanuc"
+axes = ["X", "Y", "Z", "A", "C"]
+increment = "IS-A"
+parameters = {"19604#0" = 1, 19680 = 21, 19681 = 4, 19682 = 1, 19686 = 5, 19687 = 3, 19689 = 1, 19698 = 5, 19700 = 155, 19701 = 259, 19702 = "-280.05", 19709 = 32, 19710 = "44.02", 19738 = 10, 19739 = 90}
+offsets = {H = {1 = 0, 2 = "129.9"}}
+)",
+                              R"(G43.5 H2 P1
+I3123.77 J-168.58 K8438.82 X-2490.04 Y-1008.28 Z-2394.82
+X-2176.49 Y945.07 Z-2332.57 J-1. K1.
+G91 X66.19 Y19.15 Z-29.61
+G43.4 H1 P1 X5 Z25
+G01 G43.5 H2 P1 Q2.
+I966.39 J683.13 K8921.85
+X45. Y-70. Z-70. I-911.82 J-436.03 K8943.07
+I1823.64 J872.06 K17886.14
+X-14.98 Y68.36 Z1.8
+G03 X77.11 Y9.32 R403.11 I40104.63 J-5306.26 G1
+G03 X-26.69 Y-41.67 R-35.
+)");
+  const model::Event& last = done.events().back();
+  EXPECT_EQ(last.line, 12U);
+  ASSERT_EQ(last.kind, spec::EventKind::move);
+  EXPECT_EQ(last.axes[3].decimal(9), "85");
+  ASSERT_TRUE(last.tool_axis);
+  EXPECT_EQ((*last.tool_axis)[2].decimal(9), "0");
 }
 
 TEST(ModelToolPosture, WithoutALimitNobodyLooks) {
