@@ -83,8 +83,12 @@ std::optional<exact::Rational> cutter_value(const spec::Setup& setup, std::uint6
 bool FanucBlock::has(char address) const { return value(address) != nullptr; }
 
 int code_of(const spec::Decimal& d) {
-  if (d.negative || d.decimals > 1 || d.digits > 9999) return -1;
-  return static_cast<int>(d.decimals == 1 ? d.digits : d.digits * 10);
+  std::uint64_t digits = d.digits;
+  int decimals = d.decimals;
+  // G41.00 is G41.
+  for (; decimals > 1 && digits % 10 == 0; --decimals) digits /= 10;
+  if (d.negative || decimals > 1 || digits > 9999) return -1;
+  return static_cast<int>(decimals == 1 ? digits : digits * 10);
 }
 
 bool FanucBlock::has_code(int code) const {
