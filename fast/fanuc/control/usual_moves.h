@@ -34,7 +34,7 @@ class UsualMoveWords {
     return read_in_order(block, move) || read_any(block, at, move);
   }
   // The F of the block that has been read last.
-  [[nodiscard]] double feed() const { return Count::nearest_small(words_[UsualWords::at('F')]); }
+  [[nodiscard]] double feed() const { return words_.feed(); }
 
  private:
   // Of the most usual ones, X Y or X Y I J with a code before or without. False: any other.

@@ -53,15 +53,13 @@ bool UsualSpaceLines::await(BlockTaker& taker) {
   set_at(of_xyz(positions.programmed()));
   offset_ = of_xyz(positions.length());
   sent_ = sent();
-  others_ = control_.taker;
-  control_.taker = &taker;
+  handover_.take(taker);
   return true;
 }
 
 BlockTaker& UsualSpaceLines::leave() {
   place(at_.x, at_.y, at_.z);
-  control_.taker = others_;
-  return *others_;
+  return handover_.back();
 }
 
 void UsualSpaceLines::set_at(const Vector3<double>& at) {

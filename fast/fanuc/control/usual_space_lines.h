@@ -33,7 +33,7 @@ struct UsualSpaceLine {
 // state needs a look. X Y Z are the first three axes.
 class UsualSpaceLines {
  public:
-  explicit UsualSpaceLines(Control& control) : control_(control) {}
+  explicit UsualSpaceLines(Control& control) : control_(control), handover_(control) {}
 
   // Behind a block that a stage has taken: whether usual lines may come. Then blocks go to `taker` until leave().
   [[nodiscard]] bool await(BlockTaker& taker);
@@ -45,7 +45,7 @@ class UsualSpaceLines {
   // The tool stands as the line says.
   void turn(const UsualSpaceLine& line);
   [[nodiscard]] static bool names_feed(const UsualSpaceLine& line) { return (line.letters & kFeed) != 0; }
-  void take_feed() { control_.modal.set_feed(Count::nearest_small(words_[UsualWords::at('F')])); }
+  void take_feed() { control_.modal.set_feed(words_.feed()); }
   // The event of a line that ends there (10^-6), the tool being turned. `filled`: it has what is the same in the events
   // of all of them. Without point, axes and machine in X Y Z where these are_plain().
   void fill(Event& event, bool filled, std::uint64_t line, const std::optional<std::uint64_t>& n, DoublePair xy,
@@ -88,7 +88,7 @@ class UsualSpaceLines {
   Vector3<double> at_;
   Vector3<double> offset_;  // on axes, 10^-6
   Sent sent_ = Sent::as_programmed;
-  BlockTaker* others_ = nullptr;  // who takes blocks that are no usual lines
+  Handover handover_;
 };
 
 [[gnu::always_inline]] inline bool UsualSpaceLines::read(const spec::Block& block, UsualSpaceLine& line) {

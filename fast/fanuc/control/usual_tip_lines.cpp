@@ -48,14 +48,12 @@ void UsualTipLines::await() {
   if (!may_come()) return;
   const std::uint32_t turning = control_.modal.by_vector() ? kDirection : letters_of_further_axes(control_);
   words_.permit(kXyz | turning | UsualWords::set_of("FG"));
-  others_ = control_.taker;
-  control_.taker = this;
+  handover_.take(*this);
 }
 
 BlockTaker& UsualTipLines::leave() {
   control_.attitude.leave_lines();
-  control_.taker = others_;
-  return *others_;
+  return handover_.back();
 }
 
 void UsualTipLines::block(const spec::Block& block) {
@@ -97,7 +95,7 @@ void UsualTipLines::send_with_turns(const spec::Block& block) {
     return false;
 
   if ((letters & kFeed) != 0) [[unlikely]]
-    control_.modal.set_feed(Count::nearest_small(words_[UsualWords::at('F')]));
+    control_.modal.set_feed(words_.feed());
   const bool turns = place(letters) != 0;
   const Alarm alarm = directs ? control_.attitude.plan_line(words_[kI], words_[kI + 1], words_[kI + 2])
                               : control_.attitude.plan_line(turns && !fault(Fault::usual_tip_line_standing));

@@ -16,7 +16,7 @@ namespace toolcomp::fast {
 // them, F and G00 or G01 again.
 class UsualTipLines final : public BlockTaker {
  public:
-  explicit UsualTipLines(Control& control) : control_(control) {}
+  explicit UsualTipLines(Control& control) : control_(control), handover_(control) {}
 
   // Behind a block under G43.4 or G43.5 that no stage has taken: blocks come here where usual lines may follow.
   void await();
@@ -42,7 +42,7 @@ class UsualTipLines final : public BlockTaker {
 
   Control& control_;
   UsualWords words_;
-  BlockTaker* others_ = nullptr;  // who takes blocks that are no usual lines
+  Handover handover_;
 };
 
 }  // namespace toolcomp::fast

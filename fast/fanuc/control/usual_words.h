@@ -30,6 +30,25 @@ inline bool usual_lines_may_come(const Control& control) {
   return control.modal.motion() <= 10 && usual_words_may_come(control);
 }
 
+// A short cut takes blocks in place of others, and hands them back to those.
+class Handover {
+ public:
+  explicit Handover(Control& control) : control_(control) {}
+  void take(BlockTaker& taker) {
+    others_ = control_.taker;
+    control_.taker = &taker;
+  }
+  // Who takes the next block now.
+  BlockTaker& back() {
+    control_.taker = others_;
+    return *others_;
+  }
+
+ private:
+  Control& control_;
+  BlockTaker* others_ = nullptr;
+};
+
 // The letters of the axes behind the first three, as UsualWords has them.
 inline std::uint32_t letters_of_further_axes(const Control& control) {
   std::uint32_t letters = 0;
@@ -48,6 +67,8 @@ class UsualWords {
 
   [[nodiscard]] std::int64_t& operator[](std::size_t letter) { return word_[letter]; }
   [[nodiscard]] const std::int64_t& operator[](std::size_t letter) const { return word_[letter]; }
+  // F as what stays in force.
+  [[nodiscard]] double feed() const { return Count::nearest_small(word_[at('F')]); }
   // The letters that may come.
   void permit(std::uint32_t letters) { permitted_ = letters; }
   [[nodiscard]] bool permits(std::uint32_t letters) const { return (letters & ~permitted_) == 0; }

@@ -46,26 +46,19 @@ bool UsualPaths::await() {
     arc_.arc->center.present = static_cast<std::uint16_t>(bit(axis_[0]) | bit(axis_[1]));
   }
   if (held_->by_radius != 0) set_center(start_value_ / kWholePerOne - held_->from_start);
-  others_ = control_.taker;
-  control_.taker = this;
+  handover_.take(*this);
   return true;
 }
 
 void UsualPaths::block(const spec::Block& block) {
   if (take(block)) [[likely]]
     return;
-  leave();
-  others_->block(block);
+  leave().block(block);
 }
 
-void UsualPaths::end() {
-  leave();
-  others_->end();
-}
-
-void UsualPaths::leave() {
-  control_.taker = others_;
-  if (lent_) return;
+BlockTaker& UsualPaths::leave() {
+  BlockTaker& others = handover_.back();
+  if (lent_) return others;
   for (std::size_t i = 0; i < 2; ++i) control_.positions.place_small(axis_[i], at_[i]);
   Event& event = event_of(*held_);
   place_in_plane(event, axis_, at_value_, DoublePair{});
@@ -77,6 +70,7 @@ void UsualPaths::leave() {
   place_in_plane(corner_move_, axis_, start_value_, DoublePair{});
   const WholePair way = held_->way();
   lender_.take_back({*before_, *held_, *start_, corner_move_, {at_[0] - way[0], at_[1] - way[1]}, loan_.in});
+  return others;
 }
 
 [[gnu::always_inline]] inline void UsualPaths::set_center(DoublePair center) {

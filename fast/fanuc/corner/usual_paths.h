@@ -58,12 +58,13 @@ class UsualPathLender {
 // words of few places, F, and the codes G01 G02 G03.
 class UsualPaths final : public BlockTaker {
  public:
-  UsualPaths(Control& control, UsualPathLender& lender) : control_(control), lender_(lender), words_(control) {}
+  UsualPaths(Control& control, UsualPathLender& lender)
+      : control_(control), lender_(lender), handover_(control), words_(control) {}
 
   // Behind a block that has been taken: the next ones come here, if they may be usual. False: they do not.
   bool await();
   void block(const spec::Block& block) override;
-  void end() override;
+  void end() override { leave().end(); }
 
  private:
   // False, and nothing is done: any other block.
@@ -83,14 +84,14 @@ class UsualPaths final : public BlockTaker {
   void hold(const spec::Block& block, const UsualMove& move);
   void set_center(DoublePair center);
   void set_feed();
-  // Before any other block.
-  void leave();
+  // Before any other block. Who takes that.
+  BlockTaker& leave();
 
   [[nodiscard]] Event& event_of(const UsualPath& path) { return path.is_arc() ? arc_ : line_; }
 
   Control& control_;
   UsualPathLender& lender_;
-  BlockTaker* others_ = nullptr;  // who takes blocks that are no usual paths
+  Handover handover_;
   std::array<std::size_t, 2> axis_{};
   UsualMoveWords words_;
 

@@ -24,27 +24,20 @@ bool UsualCutterMoves::await() {
   if (!arc_.arc) arc_.arc.emplace();
   arc_.arc->plane = modal.plane();
   arc_.arc->center.present = static_cast<std::uint16_t>(bit(axis_[0]) | bit(axis_[1]));
-  others_ = control_.taker;
-  control_.taker = this;
+  handover_.take(*this);
   return true;
 }
 
 void UsualCutterMoves::block(const spec::Block& block) {
   if (take(block)) [[likely]]
     return;
-  leave();
-  others_->block(block);
+  leave().block(block);
 }
 
-void UsualCutterMoves::end() {
-  leave();
-  others_->end();
-}
-
-void UsualCutterMoves::leave() {
-  control_.taker = others_;
+BlockTaker& UsualCutterMoves::leave() {
   for (std::size_t i = 0; i < 2; ++i) control_.positions.place_small(axis_[i], at_[i]);
   compensation_.take_back(vector_);
+  return handover_.back();
 }
 
 [[gnu::always_inline]] inline bool UsualCutterMoves::make_line(const WholePair& way) {

@@ -32,12 +32,12 @@ struct UsualVector {
 class UsualCutterMoves final : public BlockTaker {
  public:
   UsualCutterMoves(Control& control, CutterCompensationB& compensation)
-      : control_(control), compensation_(compensation), words_(control) {}
+      : control_(control), compensation_(compensation), handover_(control), words_(control) {}
 
   // Behind a block that has been taken: the next ones come here, if they may be usual. False: they do not.
   bool await();
   void block(const spec::Block& block) override;
-  void end() override;
+  void end() override { leave().end(); }
 
  private:
   // False, and nothing is done: any other block.
@@ -46,12 +46,12 @@ class UsualCutterMoves final : public BlockTaker {
   [[nodiscard]] bool make_line(const WholePair& way);
   [[nodiscard]] bool make_arc(const WholePair& way, const UsualMove& move);
   void set_feed();
-  // Before any other block.
-  void leave();
+  // Before any other block. Who takes that.
+  BlockTaker& leave();
 
   Control& control_;
   CutterCompensationB& compensation_;
-  BlockTaker* others_ = nullptr;  // who takes blocks that are no usual moves
+  Handover handover_;
   std::array<std::size_t, 2> axis_{};
   UsualMoveWords words_;
   UsualVector vector_;

@@ -27,29 +27,23 @@ bool UsualCutterLines::await() {
   words_.permit(std::uint32_t{1} << letter_[0] | std::uint32_t{1} << letter_[1] | UsualWords::set_of("FG"));
   at_value_ = to_doubles(at_);
   compensation_.lend(line_);
-  others_ = control_.taker;
-  control_.taker = this;
+  handover_.take(*this);
   return true;
 }
 
 void UsualCutterLines::block(const spec::Block& block) {
   if (take(block)) [[likely]]
     return;
-  leave();
-  others_->block(block);
+  leave().block(block);
 }
 
-void UsualCutterLines::end() {
-  leave();
-  others_->end();
-}
-
-void UsualCutterLines::leave() {
-  control_.taker = others_;
-  if (line_.start == UsualLine::Start::lent) return;
+BlockTaker& UsualCutterLines::leave() {
+  BlockTaker& others = handover_.back();
+  if (line_.start == UsualLine::Start::lent) return others;
   for (std::size_t i = 0; i < 2; ++i) control_.positions.place_small(axis_[i], at_[i]);
   place_in_plane(*line_.event, axis_, at_value_, DoublePair{});
   compensation_.take_back(line_, at_);
+  return others;
 }
 
 // From the first vector to the last, where the line starts.
@@ -140,7 +134,7 @@ void UsualCutterLines::send_corner_move() {
 }
 
 void UsualCutterLines::set_feed() {
-  control_.modal.set_feed(Count::nearest_small(words_[UsualWords::at('F')]));
+  control_.modal.set_feed(words_.feed());
   Event& event = *line_.event;
   if (event.type != spec::MoveType::rapid && !fault(Fault::usual_line_feed)) event.feed = control_.modal.feed();
 }

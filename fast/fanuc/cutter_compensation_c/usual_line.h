@@ -40,13 +40,13 @@ struct UsualLine {
 class UsualCutterLines final : public BlockTaker {
  public:
   UsualCutterLines(Control& control, CutterCompensationC& compensation)
-      : control_(control), compensation_(compensation) {}
+      : control_(control), compensation_(compensation), handover_(control) {}
 
   // Behind a block that has been taken: the next ones come here, if they may be usual. False: they do not.
   bool await();
   void block(const spec::Block& block) override;
   [[nodiscard]] std::size_t lines(const LineChunk& chunk) override;
-  void end() override;
+  void end() override { leave().end(); }
 
  private:
   // False, and nothing is done: any other block.
@@ -63,12 +63,12 @@ class UsualCutterLines final : public BlockTaker {
   void send_corner_move();
   // F of the line that is held now.
   void set_feed();
-  // Before any other block.
-  void leave();
+  // Before any other block. Who takes that.
+  BlockTaker& leave();
 
   Control& control_;
   CutterCompensationC& compensation_;
-  BlockTaker* others_ = nullptr;  // who takes blocks that are no usual lines
+  Handover handover_;
   std::array<std::size_t, 2> axis_{};
   std::array<std::size_t, 2> letter_{};
   std::array<std::int64_t, 2> at_{};  // the programmed position, 10^-6

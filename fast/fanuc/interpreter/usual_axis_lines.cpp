@@ -32,25 +32,13 @@ void UsualAxisLines::await(Event& move, EventSink& sink) {
   for (const std::size_t letter : letter_) permits_first_ &= words_.permits(std::uint32_t{1} << letter);
   move_ = &move;
   sink_ = &sink;
-  others_ = control_.taker;
-  control_.taker = this;
+  handover_.take(*this);
 }
 
 void UsualAxisLines::block(const spec::Block& block) {
   if (take(block)) [[likely]]
     return;
-  control_.taker = others_;
-  others_->block(block);
-}
-
-std::size_t UsualAxisLines::lines(const LineChunk& chunk) {
-  control_.taker = others_;
-  return others_->lines(chunk);
-}
-
-void UsualAxisLines::end() {
-  control_.taker = others_;
-  others_->end();
+  handover_.back().block(block);
 }
 
 [[gnu::always_inline]] inline void UsualAxisLines::place(std::size_t axis, std::int64_t to, std::int64_t offset) {
@@ -64,7 +52,7 @@ void UsualAxisLines::end() {
 }
 
 void UsualAxisLines::set_feed() {
-  control_.modal.set_feed(Count::nearest_small(words_[UsualWords::at('F')]));
+  control_.modal.set_feed(words_.feed());
   if (move_->type != spec::MoveType::rapid) move_->feed = control_.modal.feed();
 }
 

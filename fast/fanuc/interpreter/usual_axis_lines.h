@@ -18,14 +18,14 @@ namespace toolcomp::fast {
 // turn the tool, F and G00 or G01 again.
 class UsualAxisLines final : public BlockTaker {
  public:
-  explicit UsualAxisLines(Control& control) : control_(control) {}
+  explicit UsualAxisLines(Control& control) : control_(control), handover_(control) {}
 
   // Behind such a line; `move`: its event, where the next ones are made; `sink`: where they go.
   void await(Event& move, EventSink& sink);
 
   void block(const spec::Block& block) override;
-  [[nodiscard]] std::size_t lines(const LineChunk& chunk) override;
-  void end() override;
+  [[nodiscard]] std::size_t lines(const LineChunk& chunk) override { return handover_.back().lines(chunk); }
+  void end() override { handover_.back().end(); }
 
  private:
   // False: no usual line, and nothing is done.
@@ -35,7 +35,7 @@ class UsualAxisLines final : public BlockTaker {
 
   Control& control_;
   UsualWords words_;
-  BlockTaker* others_ = nullptr;  // who takes blocks that are no usual lines
+  Handover handover_;
   Event* move_ = nullptr;
   EventSink* sink_ = nullptr;
   std::array<std::size_t, 3> letter_{};                // of the first three axes

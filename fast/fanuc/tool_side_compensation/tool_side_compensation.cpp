@@ -4,6 +4,17 @@
 #include "fast/basis/fault.h"
 
 namespace toolcomp::fast {
+namespace {
+
+// A corner move in the coordinates of the block that it belongs to, which starts at `place`.
+void rename_corner(Event& move, const Event& place) {
+  move.programmed.value = place.programmed.value;
+  move.point.value = place.point.value;
+  move.axes.value = place.axes.value;
+  if (move.tool_axis) move.tool_axis = place.tool_axis;
+}
+
+}  // namespace
 
 ToolSideCompensation::ToolSideCompensation(const spec::Setup& setup, const Kinematics& kinematics, EventSink& sink)
     : CornerStage(sink),
@@ -206,14 +217,6 @@ void ToolSideCompensation::keep_without_direction() {
   make_.keep_last(at_start());
   held_ = Held::nothing;
   send_held(at_start().front().vector);
-}
-
-// A move belongs to the block: it is written in the coordinates of that.
-void ToolSideCompensation::rename_corner(Event& move, const Event& place) {
-  move.programmed.value = place.programmed.value;
-  move.point.value = place.point.value;
-  move.axes.value = place.axes.value;
-  if (move.tool_axis) move.tool_axis = place.tool_axis;
 }
 
 // From the last head of the corner before it straight to its end, without a vector, where it moves at its own end.

@@ -131,8 +131,6 @@ class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBl
   }
   void hold_waiting();
 
-  static void rename_corner(Event& move, const Event& place);
-
   // block() by kinds of blocks.
   StageEnd any_block(ToolSideBlock& block);
   StageEnd second_block(ToolSideBlock& block);

@@ -32,10 +32,10 @@ HeadPair HeldSidePath::pair_of(const SpaceVector& from, const SpaceVector& to) c
   const bool alike = from.latter == Seat::square && to.former == Seat::square && offset_at_start == end.offset &&
                      plane_at_start.is_same_as(plane);
   if (!alike) return HeadPair::any;
-  const auto known_zero = [](const PlanePoint& v) { return v[0].is_rational() && v[1].is_rational() && is_zero(v); };
+  const auto stays = [](const PlanePoint& v) { return known_zero(v[0]) && known_zero(v[1]); };
   const ArcEnds& ends = path.arc->ends;
-  if (known_zero(ends.end - ends.start)) return HeadPair::same;
-  return known_zero(ends.end + ends.start) ? HeadPair::opposite : HeadPair::any;
+  if (stays(ends.end - ends.start)) return HeadPair::same;
+  return stays(ends.end + ends.start) ? HeadPair::opposite : HeadPair::any;
 }
 
 bool HeldSidePath::arc_interferes(Recorder& recorder, ToolArcRun& run) const {
