@@ -162,8 +162,9 @@ Scale Conditions::move(std::span<const model::Event> window, Scale scale) {
   const model::Event& event = window.front();
   const Vector at = vector(event.programmed);
   const Vector point = vector(event.point);
-  if (event.cause == spec::Cause::start_up) {
-    // There is no vector before it: a reference return in the mode may have taken the shift away.
+  if (event.cause == spec::Cause::start_up || (!compensated_ && event.clauses.contains(policy::kHasASide))) {
+    // There is no vector before it: a reference return in the mode may have taken the shift away. Nor is there a
+    // start-up where the corner moves of type C, by an offset of 0, went nowhere.
     shift_ = difference(point_, position_);
     compensated_ = true;
   }

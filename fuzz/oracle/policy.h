@@ -280,6 +280,7 @@ inline double height_error(double radius, double height, double unit, double k) 
 
 // What the oracle reads off the clauses of an event: how its block was run.
 inline constexpr spec::Clause kByRadius = spec::Clause::fanuc_program_arc_radius;
+inline constexpr spec::Clause kHasASide = spec::Clause::fanuc_cutter_side;
 inline constexpr spec::Clause kLeant = spec::Clause::fanuc_tool_center_point_lean;
 inline constexpr spec::Clause kOnAGreatCircle = spec::Clause::fanuc_tool_posture_great_circle;
 inline constexpr spec::Clause kBeginsTipControl = spec::Clause::fanuc_tool_center_point_block;

@@ -8,13 +8,6 @@
 #include "model/exact/node.h"
 
 namespace toolcomp::exact {
-namespace {
-
-bool has_value(const Node& node) {
-  return node.kind == Kind::rational || node.kind == Kind::sine || node.kind == Kind::cosine;
-}
-
-}  // namespace
 
 bool alike(const Real& a, const Real& b) {
   constexpr std::size_t budget = 5000;  // pairs of nodes, about a millisecond
@@ -28,7 +21,7 @@ bool alike(const Real& a, const Real& b) {
     if (x == y || !seen.insert(pair).second) continue;
     // The null pointer is 0 or no operand.
     if (x == nullptr || y == nullptr || x->kind != y->kind || seen.size() > budget) return false;
-    if (has_value(*x) && !x->value.equals(y->value)) return false;
+    if (x->has_value() && !x->value.equals(y->value)) return false;
     open.emplace_back(x->left, y->left);
     open.emplace_back(x->right, y->right);
   }

@@ -66,6 +66,7 @@ struct Node {
   }
 
   [[nodiscard]] bool is_rational() const { return kind == Kind::rational; }
+  [[nodiscard]] bool has_value() const { return is_rational() || kind == Kind::sine || kind == Kind::cosine; }
   [[nodiscard]] bool is_zero() const { return is_rational() && value.sign() == 0; }
   /// The enclosure in double, made now for a rational that has none yet.
   const DoubleEnclosure& bounds() {

@@ -41,8 +41,7 @@ void write(spec::StateWriter& out, const Real& value) {
   for (const Node* node : anew) {
     out(number(out, node), node->kind, node->knowledge == Knowledge::undecided, number(out, node->left),
         number(out, node->right), node->refined != nullptr);
-    const bool has_value = node->kind == Kind::rational || node->kind == Kind::sine || node->kind == Kind::cosine;
-    if (has_value) write(out, node->value.rational().backend().data());
+    if (node->has_value()) write(out, node->value.rational().backend().data());
     if (node->refined) write(out, *node->refined);
   }
   out(number(out, root));

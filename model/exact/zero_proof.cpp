@@ -4,10 +4,11 @@
 #include "model/exact/zero_proof.h"
 
 #include <algorithm>
-#include <unordered_map>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "model/exact/numbering.h"
 #include "model/exact/root_tower.h"
 #include "model/exact/sign.h"
 
@@ -53,18 +54,19 @@ unsigned excess(unsigned a, unsigned b) { return a > b ? a - b : 0; }
 
 class Proof {
  public:
-  Proof(Circle circle, Work& work) : work_(work), tower_(std::move(circle), work) {}
+  Proof(const Numbering& numbers, Circle circle, Work& work)
+      : numbers_(numbers), work_(work), tower_(std::move(circle), work), fractions_(numbers.size()) {}
 
+  // Zeros by their numbers are not among the nodes.
   bool vanishes(const std::vector<Node*>& operands_first) {
-    // Numbered here: the numbers of the walk do not last, for refining an unknown is a walk too.
-    for (Node* node : operands_first) places_.emplace(node, places_.size());
-    fractions_.reserve(operands_first.size());
     for (Node* node : operands_first) {
-      fractions_.push_back(fraction(*node));
+      std::optional<Fraction>& known = fractions_[numbers_.of(*node)];
+      if (known) continue;
+      known = fraction(*node);
       // Zeros inside are found where they arise: carried along they would grow.
-      if (may_be_zero(*node) && tower_.vanishes(fractions_.back().numerator)) fractions_.back() = {};
+      if (may_be_zero(*node) && tower_.vanishes(known->numerator)) known = Fraction{};
     }
-    return fractions_.back().numerator.empty();
+    return of(operands_first.back()).numerator.empty();
   }
 
  private:
@@ -73,7 +75,11 @@ class Proof {
            node.knowledge == Knowledge::none;
   }
 
-  const Fraction& of(const Node* node) const { return fractions_[places_.at(node)]; }
+  const Fraction& of(const Node* node) const {
+    static const Fraction zero;
+    const std::optional<Fraction>& known = fractions_[numbers_.of(*node)];
+    return known ? *known : zero;
+  }
 
   Fraction fraction(Node& node) {
     work_.spend(1);
@@ -165,7 +171,29 @@ class Proof {
                     merge(x.divisors, y.divisors, [](unsigned s, unsigned t) { return std::max(s, t); })});
   }
 
-  Fraction product_of(const Fraction& x, const Fraction& y) {
+  // Where x is, but for an integer, one of the divisors of y, both go out: no other polynomials are cancelled.
+  void cancel(Fraction& x, Fraction& y) const {
+    if (y.divisors.empty() || integer_value(x.numerator)) return;
+    Element factor = x.numerator;
+    Integer integer = content(factor);
+    divide_by(factor, integer);
+    const auto find = [&] {
+      return std::ranges::find_if(y.divisors, [&](const Power& p) { return divisors_[p.divisor].value == factor; });
+    };
+    auto power = find();
+    if (power == y.divisors.end()) {
+      negate(factor);
+      integer = -integer;
+      power = find();
+    }
+    if (power == y.divisors.end()) return;
+    x.numerator = tower_.constant(integer);
+    if (--power->exponent == 0) y.divisors.erase(power);
+  }
+
+  Fraction product_of(Fraction x, Fraction y) {
+    cancel(x, y);
+    cancel(y, x);
     return reduced({tower_.multiply(x.numerator, y.numerator), x.denominator * y.denominator,
                     merge(x.divisors, y.divisors, [](unsigned s, unsigned t) { return s + t; })});
   }
@@ -237,12 +265,12 @@ class Proof {
     return factor;
   }
 
+  const Numbering& numbers_;
   Work& work_;
   RootTower tower_;
   std::vector<Divisor> divisors_;
   std::vector<Node*> unknowns_;
-  std::unordered_map<const Node*, std::size_t> places_;
-  std::vector<Fraction> fractions_;  // by place
+  std::vector<std::optional<Fraction>> fractions_;  // by number
 };
 
 // The circle on which all angles of the expression lie.
@@ -264,7 +292,13 @@ ZeroProof prove_zero(Node& node, std::int64_t units) {
       work.spend(1);
       return true;
     });
-    return Proof(circle_of(nodes), work).vanishes(nodes) ? ZeroProof::zero : ZeroProof::nonzero;
+    Numbering numbers;
+    for (const Node* each : nodes) numbers.add(*each);
+    if (numbers.is_zero(node)) return ZeroProof::zero;
+    // What zeros by their numbers are made of may be beyond any work.
+    nodes.clear();
+    operands_first(&node, nodes, [&](const Node& each) { return !numbers.is_zero(each); });
+    return Proof(numbers, circle_of(nodes), work).vanishes(nodes) ? ZeroProof::zero : ZeroProof::nonzero;
   } catch (const OutOfWork&) {
     return ZeroProof::none;
   }

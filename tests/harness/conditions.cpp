@@ -106,6 +106,20 @@ TEST(Conditions, OfAnIntersectionNearAReversal) {
   }
 }
 
+// Type C by an offset of 0 starts with corner moves that go nowhere, and so without a start-up: the vector that a later
+// offset makes is one none the less, and turns the sweep of an arc by what is off at its heads over 0.001.
+TEST(Conditions, AVectorWithoutAStartUp) {
+  model::Event first = move(kOwn, "40", "0", Real(40), Real(10));
+  first.clauses.add(spec::Clause::fanuc_cutter_side);
+  const auto list = scales({move(kOwn, "0", "0", Real(0), Real(0)), first,
+                            arc(move(kOwn, "40", "20.002", Real(40), decimal("10.002")), "40", "10.001")});
+  EXPECT_EQ(list[0].vector, 0);
+  EXPECT_EQ(list[1].vector, 10);
+  EXPECT_DOUBLE_EQ(list[2].vector, 10);
+  EXPECT_GE(list[2].turn, 2 * policy::ulp(40) / 0.001);
+  EXPECT_LE(list[2].turn, 8 * policy::ulp(40) / 0.001);
+}
+
 // X, Y, Z as Y, Z, X, or as Z, X, Y: of positions, centre and plane.
 model::Event turned(const model::Event& e, std::size_t by) {
   model::Event other = e;

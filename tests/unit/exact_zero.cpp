@@ -205,5 +205,45 @@ TEST(Zero, CornerOfTwoOffsets) {
   }
 }
 
+// Twelve nested roots over sines whose angles share no circle of few degrees: far beyond what is multiplied out.
+Real nested(bool turned) {
+  Real x = 2;
+  for (int i = 1; i <= 12; ++i) {
+    const Real a = sine(Rational(100'003 * i, 100'000)) * x;
+    const Real b = x * cosine(Rational(70'001 * i, 100'000));
+    x = sqrt(turned ? square(b) + (a * b + 1) : (1 + b * a) + square(b));
+  }
+  return x;
+}
+
+// What is made alike is equal, in whatever order sums and products have their operands, and however deep it is.
+TEST(Zero, NumbersMadeAlikeAreEqual) {
+  EXPECT_EQ(nested(false), nested(false));
+  const Real x = nested(true);
+  const Real y = nested(true);
+  EXPECT_EQ(x * y, square(x));
+  EXPECT_EQ(x * root(2) - root(2) * y, 0);
+  EXPECT_EQ(x + root(2), root(2) + y);
+  // A zero inside what is proven by other means.
+  EXPECT_EQ((x - y) * root(3) + root(8), 2 * root(2));
+  EXPECT_NE(x + Rational(1, 1'000'000'000), y);
+  EXPECT_NE(x - root(3), root(3) - y);
+  // The order of a difference and of a quotient counts.
+  EXPECT_NE(x - root(2), root(2) - y);
+  EXPECT_NE(x / root(2), root(2) / y);
+}
+
+// (a / p)(n p) = n a for a polynomial p, also where the numerator is -p.
+TEST(Zero, ADivisorGoesOutWithItsMultiple) {
+  const auto polynomial = [] {
+    return sine(Rational(11'338, 1000)) * root(3) + cosine(Rational(89'574, 1000)) - Rational(7, 5) * root(7);
+  };
+  const Real p = polynomial();
+  EXPECT_EQ(root(2) / p * (3 * polynomial()), 3 * root(2));
+  EXPECT_EQ(root(2) / p * (Rational(-5, 7) * polynomial()), Rational(-5, 7) * root(2));
+  EXPECT_EQ(polynomial() * (root(2) / square(p)), root(2) / polynomial());
+  EXPECT_EQ(sqrt(square(p) * root(2)) / polynomial(), -sqrt(root(2)));  // p < 0
+}
+
 }  // namespace
 }  // namespace toolcomp::exact
