@@ -224,6 +224,14 @@ Definition corner_step {num} {N : Numbers num} (s : setup num) (c : command num)
            end in
   (CornerBlock, in_phase x, v, reach x, was_left x).
 
+(** Asked while it makes a difference: with the mode off, and not asked for, a block is as it is. *)
+Definition is_moving {num} {N : Numbers num} (s : setup num) (c : command num) (asked : option hand)
+    (before after : state num) (moves : list (movement num)) : outcome bool :=
+  match in_phase (cutter before), asked with
+  | Off, None => Got true
+  | _, _ => moves_in_plane s c before after moves
+  end.
+
 (** fanuc.cutter-c.mode.
     fanuc.cutter-c.number-zero: number 0 does what G40 does. *)
 Definition behind_c {num} {N : Numbers num} (s : setup num) (c : command num) (before after : state num)
@@ -231,7 +239,7 @@ Definition behind_c {num} {N : Numbers num} (s : setup num) (c : command num) (b
   let h := hand_behind c (hand_in_force (cutter before)) in
   let value := value_behind s c before in
   let asked := if asked_for s h (shared before) then h else None in
-  moving <- moves_in_plane s c before after moves ;;
+  moving <- is_moving s c asked before after moves ;;
   '(what, ph, v, r, was_on_left) <-
     (if goes_away c then goes_away_step s c asked value before moves
      else if is_corner_arc c then Got (corner_step s c (cutter before))
