@@ -15,7 +15,7 @@ namespace toolcomp::fuzz::laws {
 // The events of a case.
 using Runner = std::function<std::vector<model::Event>(const spec::Case&)>;
 
-// One of, for FANUC programs that can be read to their end, no two blocks in one line:
+// One of, for FANUC programs up to the first block that cannot be read, no two blocks in one line:
 //
 // value-zero: with every offset zero (H, D, 19666; Klartext: every delta) points are the programmed points, and axes
 // the points where no tool center point control is. Chapter 14; heidenhain.face.effective-tip. Not with G10 or G37, nor
@@ -34,6 +34,12 @@ using Runner = std::function<std::vector<model::Event>(const spec::Case&)>;
 // of every corner in reverse order (14.6.2 and 14.6.4 are mirror images). Only contours of plain blocks from the
 // start-up to the cancelling move without a block between, with 5008#0 = 1 and without 5010; not type C (5003#1).
 //
+// moved-origins: with the origin of every workpiece system moved by a way of its own and the absolute words of its
+// blocks moved back, the machine does the same: positions in the machine stay, those of an event move back by the way
+// of the system of its block. Of a coordinate system the machine knows its origin, and nothing else. Not where G29 goes
+// through a point of another system (it keeps coordinates), nor with G37 in two systems (so does the setup), P of G54.1
+// beside another code with P, or numbers that grow too long. Also asked of every program that selects a system.
+//
 // The clauses know no other length, side or direction than those of program and setup, so what they define is
 // equivariant.
 std::span<const std::string_view> changes();
@@ -41,7 +47,7 @@ std::span<const std::string_view> changes();
 // The law of this name, whatever the share.
 Verdict hold_changed(std::string_view law, const spec::Case& c, std::span<const model::Event> events,
                      const Runner& run);
-// One law for every sixteenth program, none for the others.
+// One law for every sixteenth program, and the law that this program has to be asked.
 Verdict hold_changed(const spec::Case& c, std::span<const model::Event> events, const Runner& run);
 
 }  // namespace toolcomp::fuzz::laws

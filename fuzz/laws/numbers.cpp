@@ -11,6 +11,14 @@ Rational rational(const spec::Decimal& value) {
   return r;
 }
 
+std::optional<spec::Decimal> decimal(const Rational& value) {
+  constexpr int most = 12;
+  auto read = spec::parse_decimal(Real(value).decimal(most));
+  if (!read || rational(*read) != value) return std::nullopt;
+  read->point = true;
+  return read;
+}
+
 std::optional<Vector> xyz(const spec::Axes& axes, const spec::AxisValues<Real>& values) {
   Vector v;
   for (std::size_t i = 0; i < v.size(); ++i) {

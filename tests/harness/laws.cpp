@@ -14,6 +14,7 @@
 #include "fuzz/faults/wrong_clauses.h"
 #include "fuzz/gen/generator.h"
 #include "fuzz/laws/changed_program.h"
+#include "fuzz/laws/numbers.h"
 #include "fuzz/oracle/trial.h"
 
 namespace toolcomp::fuzz {
@@ -388,6 +389,102 @@ TEST(Laws, OfChangedProgramsHoldAndBreak) {
   EXPECT_GT(laws::hold_changed("value-zero", without_deltas, events, right).checks, 0U);
   EXPECT_FALSE(laws::hold_changed("value-zero", without_deltas, events, right).violation);
   EXPECT_TRUE(laws::hold_changed("value-zero", without_deltas, events, wrong_shift).violation);
+}
+
+// A block that cancels and selects a system: the corner at its start is in the coordinates of the block.
+spec::Case cancel_in_another_system() {
+  spec::Case c = fanuc("tool-side-compensation", "G41.2 D1 X1\nY0\nG40 X0 G59\n");
+  c.setup.d[1].geometry = spec::decimal(1);
+  c.setup.parameters[{5003, 0}] = spec::decimal(1);
+  c.setup.workpiece[5]['X'] = spec::decimal(230);
+  c.setup.position['Y'] = spec::decimal(-120);
+  return c;
+}
+
+using Coordinates = spec::AxisValues<Real> model::Event::*;
+// What two engines agreed on: it is in those of the system before.
+Events corner_in_the_system_before(const spec::Case& c, const std::vector<Coordinates>& fields) {
+  Events events = run_model(c).events;
+  spec::AxisTable before = c.setup.workpiece[0];
+  spec::AxisTable after = c.setup.workpiece[5];
+  for (model::Event& event : events)
+    for (const Coordinates field : fields)
+      if (event.cause == spec::Cause::corner && event.line == 3)
+        for (std::size_t i = 0; i < 3; ++i)
+          (event.*field).value.at(i) += Real(laws::rational(after["XYZ"[i]]) - laws::rational(before["XYZ"[i]]));
+  return events;
+}
+
+TEST(Laws, FindACornerInTheCoordinatesOfTheSystemBefore) {
+  const spec::Case c = cancel_in_another_system();
+  const laws::Runner right = [](const spec::Case& other) { return run_model(other).events; };
+  const laws::Verdict held = laws::hold_changed(c, right(c), right);
+  EXPECT_GT(held.checks, 0U);
+  EXPECT_FALSE(held.violation) << held.violation->text << ": " << held.violation->amount;
+  const auto programmed = &model::Event::programmed;
+  const auto point = &model::Event::point;
+  const auto axes = &model::Event::axes;
+  for (const std::vector<Coordinates>& fields :
+       std::vector<std::vector<Coordinates>>{{programmed, point, axes}, {point, axes}, {programmed}, {point}, {axes}}) {
+    const laws::Runner wrong = [&](const spec::Case& other) { return corner_in_the_system_before(other, fields); };
+    // Whatever the share of its program.
+    const laws::Verdict broken = laws::hold_changed(c, wrong(c), wrong);
+    ASSERT_TRUE(broken.violation);
+    EXPECT_EQ(broken.violation->law, "moved-origins");
+    EXPECT_EQ(broken.violation->line, 3U);
+  }
+}
+
+// Every way to name a place, in several systems.
+std::vector<spec::Case> several_systems() {
+  std::vector<spec::Case> cases{
+      fanuc("tool-length-offset", "G90 G00 X10. Z5.\nG55 G43 H1 Z7.\nG56\nX3. Y1.\nG91 X2. G57\nG90 G54.1 Z0\n"),
+      fanuc("tool-length-offset", "G55 X1.\nG52 X3. Y4.\nX2.\nG92 Y6. Z1.\nY2.\nG59 X1.\nG53 X0 Z1.\nX5. Z2.\n"),
+      fanuc("tool-length-offset", "G56 X1.\nG28 X7. Z8.\nX3.\nG29 X5.\nG57 X2.\nG91 G30 X1.\nX1. Z1.\n"),
+      fanuc("tool-length-offset", "G20 X1. Y2.\nG55 X1. Y.5\nG21 Y20\nG92 X3\nX4. Z-5\n"),
+      fanuc("tool-length-offset", "G55 X1.\nG10 L2 P2 X5. Y6.\nX2. Y2.\nG91 G10 L20 P3 X4.\nG90 G54.1 P3 X1.\n"),
+      fanuc("tool-offset", "G90 G01 F100 X10. G55\nG45 X20. D1\nG56 G46 Y-0 D1\nX5.\n"),
+      fanuc("cutter-compensation-c",
+            "G90 G01 F100 X0\nG41 X40. D1\nX80. G55\nG56\nG03 X100. Y20. J20.\nG54.1 P2 G01 Y60.\nG40 X0 G57\n")};
+  cases[3].setup.parameters[{3401, 0}] = spec::decimal(0);
+  return cases;
+}
+
+TEST(Laws, OfMovedOriginsHoldForEveryPlaceAndBreakForOtherOrigins) {
+  const laws::Runner right = [](const spec::Case& c) { return run_model(c).events; };
+  // The machine goes to another place when a system is selected.
+  const laws::Runner selects_nothing = [](const spec::Case& c) {
+    spec::Case other = c;
+    for (const std::string_view code : {"G55", "G56"})
+      for (std::size_t at = 0; (at = other.program.find(code, at)) != std::string::npos;) other.program.erase(at, 3);
+    return run_model(other).events;
+  };
+  const laws::Runner confuses_two = [](const spec::Case& c) {
+    spec::Case other = c;
+    std::swap(other.setup.workpiece[1], other.setup.workpiece[2]);
+    return run_model(other).events;
+  };
+  for (const spec::Case& c : several_systems()) {
+    SCOPED_TRACE(c.program);
+    const Events events = right(c);
+    ASSERT_NE(events.back().kind, spec::EventKind::alarm) << events.back().number.view();
+    const laws::Verdict held = laws::hold_changed("moved-origins", c, events, right);
+    EXPECT_GE(held.checks, events.size());
+    EXPECT_FALSE(held.violation) << held.violation->line << ' ' << held.violation->text << ": "
+                                 << held.violation->amount;
+    for (const laws::Runner& wrong : {selects_nothing, confuses_two})
+      EXPECT_TRUE(laws::hold_changed("moved-origins", c, wrong(c), wrong).violation);
+  }
+}
+
+// A coordinate that is kept for another system is no place of the machine.
+TEST(Laws, OfMovedOriginsAreNotAskedWhereCoordinatesAreKept) {
+  const laws::Runner right = [](const spec::Case& c) { return run_model(c).events; };
+  for (const spec::Case& c : {fanuc("tool-length-offset", "G28 X7.\nX3.\nG55 G29 X5.\n"),
+                              fanuc("tool-length-offset", "G54.1 G30 P2 X7.\nX3.\n")}) {
+    SCOPED_TRACE(c.program);
+    EXPECT_EQ(laws::hold_changed("moved-origins", c, right(c), right).checks, 0U);
+  }
 }
 
 // What a broken law becomes: a difference that names it, flows on and is counted.

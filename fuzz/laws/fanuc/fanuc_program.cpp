@@ -52,6 +52,17 @@ std::optional<std::uint64_t> number(const spec::Decimal& d) {
   return d.digits;
 }
 
+// The system that P of G54.1 selects. Others take P too.
+std::optional<int> additional_system(const FanucBlock& b, bool takes_letters) {
+  constexpr std::array kTakesP{300, 434, 435};
+  if (takes_letters || std::ranges::any_of(kTakesP, [&b](int code) { return b.has_code(code); })) return std::nullopt;
+  const spec::Decimal* const p = b.value('P');
+  const auto n = p == nullptr ? 1 : number(*p);
+  if (!n) return std::nullopt;
+  // Beyond the last one there is an alarm.
+  return kSystems + static_cast<int>(std::min<std::uint64_t>(*n, spec::kAdditionalWorkpieces + 1));
+}
+
 exact::Rational sum(const spec::OffsetEntry& entry, spec::OffsetMemory memory) {
   exact::Rational value = rational(entry.geometry);
   if (memory != spec::OffsetMemory::a) value += rational(entry.wear);
@@ -130,7 +141,9 @@ FanucProgram::FanucProgram(const spec::Case& c) {
       state.words.assign(block->words().begin(), block->words().end());
       // A code that another one excludes keeps its letters.
       constexpr std::array kTakesLetters{40, 50, 51, 100, 220, 501};
-      if (std::ranges::any_of(kTakesLetters, [&state](int code) { return state.has_code(code); }))
+      const bool takes_letters =
+          std::ranges::any_of(kTakesLetters, [&state](int code) { return state.has_code(code); });
+      if (takes_letters)
         std::erase_if(state.words, [](const spec::Word& w) { return !is_shared_with_data(w.address); });
       keep_last_one_shot(state.words);
       for (const spec::Word& w : state.words) {
@@ -145,6 +158,8 @@ FanucProgram::FanucProgram(const spec::Case& c) {
         if (among(code, {170, 180, 190})) state.plane = code;
         if (among(code, {900, 910})) state.absolute = code == 900;
         if (among(code, {200, 210})) state.inches = code == 200;
+        if (code >= 540 && code <= 590 && code % 10 == 0) state.system = code / 10 - 53;
+        if (code == 541) state.system = additional_system(state, takes_letters);
         if (among(code, {434, 435})) {
           const spec::Decimal* p = state.value('P');
           state.posture = p != nullptr ? p->digits != 0 : c.setup.bit(19604, 0);

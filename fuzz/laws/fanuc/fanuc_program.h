@@ -14,6 +14,9 @@
 
 namespace toolcomp::fuzz::laws {
 
+// Those of G54 to G59.
+inline constexpr int kSystems = 6;
+
 // Ten times the number of a G code; -1 for a number that is no code.
 int code_of(const spec::Decimal& d);
 
@@ -29,6 +32,9 @@ struct FanucBlock {
   bool inches = false;   // G20
   std::optional<std::uint64_t> d;
   std::optional<std::uint64_t> h;
+  // Workpiece system in force: 1 to 6 for G54 to G59, from 7 on for those of G54.1; nothing where P of G54.1 may be
+  // another code's.
+  std::optional<int> system = 1;
   bool posture = false;  // P1 of the last G43.4 or G43.5, or what 19604#0 stands for
 
   [[nodiscard]] bool has(char address) const;

@@ -2,16 +2,12 @@
 // The image of a program under a map of space: mirrored, turned, a tenth as large.
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <optional>
 #include <string>
 
 #include "fuzz/laws/fanuc/changed.h"
 #include "fuzz/laws/fanuc/fanuc_program.h"
 #include "fuzz/laws/numbers.h"
-#include "spec/language/byte_source.h"
-#include "spec/language/fanuc/program_reader.h"
-#include "spec/language/input_error.h"
 #include "spec/language/parameter.h"
 
 namespace toolcomp::fuzz::laws {
@@ -126,39 +122,6 @@ std::optional<spec::Word> change(const Map& map, const spec::Word& word) {
   return image;
 }
 
-// M98, M99: the blocks run in another order than they stand.
-bool calls(const spec::Block& block) {
-  return std::ranges::any_of(block.words(), [](const spec::Word& word) {
-    return word.address == 'M' && (word.value.digits == 98 || word.value.digits == 99);
-  });
-}
-
-// The program in the image, every block in its line; nothing where one cannot be read or written, or two share a line.
-std::optional<std::string> change(const Map& map, const spec::Case& c) {
-  std::string text;
-  std::uint64_t line = 1;
-  try {
-    spec::ProgramReader reader(spec::text_source(c.program), c.setup.axes,
-                               {.file = "program", .block_skip = c.setup.block_skip});
-    const auto block = std::make_unique<spec::Block>();
-    std::uint64_t latest = 0;
-    while (reader.next(*block)) {
-      if (block->alarm || block->line <= latest || calls(*block)) return std::nullopt;
-      latest = block->line;
-      for (; line < block->line; ++line) text += '\n';
-      for (std::size_t i = 0; i < block->size; ++i) {
-        const auto word = change(map, block->word.at(i));
-        if (!word) return std::nullopt;
-        block->word.at(i) = *word;
-      }
-      text += to_string(*block);
-    }
-  } catch (const spec::InputError&) {
-    return std::nullopt;
-  }
-  return text + '\n';
-}
-
 using Values = spec::AxisValues<Real>;
 
 // `image` is the image of `original`.
@@ -180,10 +143,7 @@ void compare(const Map& map, const spec::Axes& axes, const Values& original, con
 
 void compare(const Map& map, const spec::Axes& axes, const model::Event& original, const model::Event& image,
              std::size_t event, Holding& holding) {
-  holding.holds(original.kind == image.kind && original.line == image.line && original.type == image.type &&
-                    original.cause == image.cause && original.number == image.number &&
-                    original.arc.has_value() == image.arc.has_value(),
-                event, "the same kind of event, at the same place");
+  holding.holds(is_alike(original, image), event, "the same kind of event, at the same place");
   compare(map, axes, original.programmed, image.programmed, event, "image of the programmed point", holding);
   compare(map, axes, original.point, image.point, event, "image of the point", holding);
   compare(map, axes, original.axes, image.axes, event, "image of the axes", holding);
@@ -210,7 +170,8 @@ void image(const Map& map, const spec::Case& c, std::span<const model::Event> ev
     if (std::ranges::any_of(events, [](const model::Event& e) { return e.tool_axis.has_value(); })) return;
   }
   spec::Case changed = c;
-  const auto text = change(map, c);
+  const auto text =
+      rewritten(c, [&map](std::size_t, const spec::Block&, const spec::Word& w) { return change(map, w); });
   if (!text || !change_all(map, changed.setup) || (map.tenth && !shorten(map, changed.setup))) return;
   changed.program = *text;
   const std::vector<model::Event> other = run(changed);
@@ -221,12 +182,6 @@ void image(const Map& map, const spec::Case& c, std::span<const model::Event> ev
 }
 
 }  // namespace
-
-bool is_open(std::span<const model::Event> events) {
-  return std::ranges::any_of(events, [](const model::Event& e) {
-    return e.kind == spec::EventKind::undecided || e.number == "PS0029" || e.number == "PS0032";
-  });
-}
 
 void mirrored(const spec::Case& c, std::span<const model::Event> events, const Runner& run, Holding& holding) {
   image(kMirror, c, events, run, holding);

@@ -52,12 +52,9 @@ std::optional<Contour> contour_of(const FanucScene& s) {
 std::optional<std::string> words_of(const Vector& point) {
   std::string text;
   for (std::size_t i = 0; i < point.size(); ++i) {
-    constexpr int digits = 12;
-    std::string number = point.at(i).decimal(digits);
-    const auto read = spec::parse_decimal(number);
-    if (!point.at(i).is_rational() || !read || rational(*read) != point.at(i).rational()) return std::nullopt;
-    if (number.find('.') == std::string::npos) number += '.';
-    text += std::string(" ") + "XYZ"[i] + number;
+    const auto number = point.at(i).is_rational() ? decimal(point.at(i).rational()) : std::nullopt;
+    if (!number) return std::nullopt;
+    text += std::string(" ") + "XYZ"[i] + to_string(*number);
   }
   return text;
 }
