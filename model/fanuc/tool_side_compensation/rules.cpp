@@ -26,7 +26,7 @@ SpaceGroup SideRules::in_plane(SpaceGroup group) const {
   return group;
 }
 
-std::optional<SpaceGroup> SideRules::in_mode(const SideCorner& corner) const {
+std::optional<SideGroup> SideRules::in_mode(const SideCorner& corner) const {
   if (!corner.of_lines()) {
     const FramedCorner framed(corner);
     const auto group = plane_rules_.offset_mode(framed.former(), framed.latter());
@@ -42,7 +42,8 @@ std::optional<SpaceGroup> SideRules::in_mode(const SideCorner& corner) const {
     case CornerClass::inner:
     case CornerClass::straight:
       recorder_.reach(Clause::fanuc_tool_side_inner);
-      return one(kind == CornerClass::inner ? lines.tangents_meet() : perpendicular(corner.plane, corner.former));
+      return SideGroup{
+          one(kind == CornerClass::inner ? lines.tangents_meet() : perpendicular(corner.plane, corner.former)), {}};
     // fanuc.tool-side.outer-obtuse: At an obtuse outer corner of two lines the group is the intersection of the offset
     // lines.
     case CornerClass::obtuse:
@@ -54,7 +55,7 @@ std::optional<SpaceGroup> SideRules::in_mode(const SideCorner& corner) const {
       recorder_.reach(Clause::fanuc_tool_side_outer_acute);
       break;
   }
-  return way_round(kind, lines, false, false);
+  return SideGroup{way_round(kind, lines, false, false), {}};
 }
 
 // fanuc.tool-side.type-b: No. 5003 bit 0, SUP: 0 type A, 1 type B.
@@ -66,7 +67,7 @@ SideRules::SideRules(const spec::Setup& setup, Recorder& recorder)
       limit_(setup.parameter(5010) ? plain(*setup.parameter(5010)) : Rational(0)) {}
 
 // fanuc.tool-side.type-b: No. 5003 bit 0, SUP: 0 type A, 1 type B.
-std::optional<SpaceGroup> SideRules::detour(const SideCorner& corner, bool cancels) const {
+std::optional<SideGroup> SideRules::detour(const SideCorner& corner, bool cancels) const {
   if (!recorder_.decide(Clause::fanuc_tool_side_type_b, type_b_)) return std::nullopt;
   std::optional<FramedCorner> framed;
   std::optional<LineCorner> lines;
@@ -107,34 +108,34 @@ std::optional<SpaceGroup> SideRules::detour(const SideCorner& corner, bool cance
   const bool own = recorder_.decide(Clause::fanuc_tool_side_type_b_perpendicular, with_perpendicular_);
   const bool with_former = cancels ? corner.former.arc.has_value() : own;
   const bool with_latter = cancels ? own : corner.latter.arc.has_value();
-  if (lines) return way_round(kind, *lines, with_former, with_latter);
+  if (lines) return SideGroup{way_round(kind, *lines, with_former, with_latter), {}};
   return framed->lifted(model::way_round(kind, framed->former(), framed->latter(), with_former, with_latter));
 }
 
 // fanuc.tool-side.start-up-inner: Type B at an inner corner, straight on included: the vector perpendicular to the next
 // block.
-SpaceGroup SideRules::start_up(const SideCorner& corner) const {
+SideGroup SideRules::start_up(const SideCorner& corner) const {
   const auto group = detour(corner, false);
-  return group ? *group : square_to_latter(corner.plane, corner.latter);
+  return group ? *group : SideGroup{square_to_latter(corner.plane, corner.latter), {}};
 }
 
 // fanuc.tool-side.cancel-inner: Type B at an inner corner, straight on included: the vector perpendicular to the last
 // compensated block.
-SpaceGroup SideRules::cancel(const SideCorner& corner) const {
+SideGroup SideRules::cancel(const SideCorner& corner) const {
   const auto group = detour(corner, true);
-  return group ? *group : square_to(corner.plane, corner.former);
+  return group ? *group : SideGroup{square_to(corner.plane, corner.former), {}};
 }
 
 // fanuc.tool-side.which-rule: The group between A and B is made by the first rule that applies: r = 0
 // (fanuc.cutter-c.value-zero); an alarm of fanuc.cutter-c.direction-change-at-start-up; Q1 of A; change of side;
 // repeated code; start-up block followed by the cancel block; cancel; start-up; corner of the mode, then Q2 of A.
-std::optional<SpaceGroup> SideRules::by_first_rule(const SideCorner& corner, const SideCase& given) const {
-  if (corner.former.offset == 0) return square_to(corner.plane, corner.former);
+std::optional<SideGroup> SideRules::by_first_rule(const SideCorner& corner, const SideCase& given) const {
+  if (corner.former.offset == 0) return SideGroup{square_to(corner.plane, corner.former), {}};
   // fanuc.tool-side.q1: Q1 in block A: the vector at its end is the one perpendicular to A, whether an interference is
   // found or not, at a change of side too.
   if (given.treatment == 1) {
     recorder_.reach(Clause::fanuc_tool_side_q1);
-    return square_to(corner.plane, corner.former);
+    return SideGroup{square_to(corner.plane, corner.former), {}};
   }
   // fanuc.cutter-c.direction-change: Where the side changes from A to B (G41 to G42 or back, or the sign of the value)
   // inner and outer are not told apart: with an intersection of A's offset path and B's the group is its vector,
@@ -148,15 +149,15 @@ std::optional<SpaceGroup> SideRules::by_first_rule(const SideCorner& corner, con
   // block ends with the vector perpendicular to it, whatever the type.
   if (given.repeated || (given.starts && given.cancels)) {
     recorder_.reach(given.repeated ? Clause::fanuc_tool_side_repeated : Clause::fanuc_tool_side_start_then_cancel);
-    return square_to(corner.plane, corner.former);
+    return SideGroup{square_to(corner.plane, corner.former), {}};
   }
   if (given.cancels) return cancel(corner);
   if (given.starts) return start_up(corner);
-  std::optional<SpaceGroup> group = in_mode(corner);
+  std::optional<SideGroup> group = in_mode(corner);
   // fanuc.tool-side.q2: Q2 in block A: of the two vectors between two lines the second is deleted.
   if (group && given.treatment == 2 &&
-      recorder_.decide(Clause::fanuc_tool_side_q2, corner.of_lines() && group->size() == 2))
-    group->pop_back();
+      recorder_.decide(Clause::fanuc_tool_side_q2, corner.of_lines() && group->vectors.size() == 2))
+    group->vectors.pop_back();
   return group;
 }
 
@@ -166,20 +167,21 @@ std::optional<SpaceGroup> SideRules::by_first_rule(const SideCorner& corner, con
 // vectors are omitted (fanuc.tool-side.small-difference), then A is checked: plane change (not where r = 0), then
 // interference.
 std::optional<SpaceGroup> SideRules::group(const SideCorner& corner, const SideCase& given) const {
-  std::optional<SpaceGroup> group = by_first_rule(corner, given);
-  if (!group || corner.former.offset == 0) return group;
+  std::optional<SideGroup> group = by_first_rule(corner, given);
+  if (!group) return std::nullopt;
+  if (corner.former.offset == 0) return std::move(group->vectors);
   // fanuc.tool-side.q3: Q3 in block A: all vectors are kept, and there is no alarm of
   // fanuc.tool-side.plane-change-alarm; nor is there with Q1 or Q2.
   if (given.treatment == 3) recorder_.reach(Clause::fanuc_tool_side_q3);
   drop_small_differences(*group, given);
-  return group;
+  return std::move(group->vectors);
 }
 
 // fanuc.tool-side.side-change: The side may change without G40, by the code or by the sign of the value, as in cutter
 // compensation C in the compensation plane: fanuc.cutter-c.direction-change and its clauses on lines, parallel
 // tangents, arcs and paths that do not meet. Lines that are not parallel in the plane have the intersection of A's
 // offset line and B's; parallel ones the vector perpendicular to B.
-SpaceGroup SideRules::side_change(const SideCorner& corner) const {
+SideGroup SideRules::side_change(const SideCorner& corner) const {
   if (!corner.of_lines()) {
     const FramedCorner framed(corner);
     return framed.lifted(plane_rules_.direction_change(framed.former(), framed.latter()));
@@ -189,18 +191,18 @@ SpaceGroup SideRules::side_change(const SideCorner& corner) const {
     // fanuc.cutter-c.direction-change-without-intersection: Without intersection (parallel tangents, R' < 0, paths that
     // do not meet) the group is the vector perpendicular to B at its start; there is no PS0033.
     recorder_.reach(Clause::fanuc_cutter_c_direction_change_without_intersection);
-    return square_to_latter(corner.plane, corner.latter);
+    return {square_to_latter(corner.plane, corner.latter), {}};
   }
   // fanuc.cutter-c.direction-change-lines: Two lines at an angle always have an intersection, however far away.
   recorder_.reach(Clause::fanuc_cutter_c_direction_change_lines);
-  return one(lines.meeting_across());
+  return {one(lines.meeting_across()), {}};
 }
 
 // fanuc.tool-side.small-difference: No. 5010 (setup units, 0 where not given, nothing is dropped where it is negative),
 // read as a distance: going along a group, start-up and cancel included, a vector that differs from the last one kept
 // by no more than the limit is dropped; the first always stays.
-void SideRules::drop_small_differences(SpaceGroup& group, const SideCase& given) const {
-  if (group.size() < 2) return;
+void SideRules::drop_small_differences(SideGroup& group, const SideCase& given) const {
+  if (group.vectors.size() < 2) return;
   if (given.next.arc) {
     const ArcEnds& arc = given.next.arc->ends;
     if (!plane_rules_.is_under_half_circle(arc, sqrt(squared_norm(arc.start) * squared_norm(arc.end)))) return;
@@ -208,13 +210,16 @@ void SideRules::drop_small_differences(SpaceGroup& group, const SideCase& given)
   if (limit_ < 0) return;
   const Rational limit2 = limit_ * limit_;
   const Rational scale = limit2 + 8 * given.distance * given.distance;
-  SpaceGroup kept{group.front()};
-  for (std::size_t i = 1; i < group.size(); ++i) {
-    const Real difference2 = squared_norm(group[i].vector - kept.back().vector);
-    if (recorder_.decide(Clause::fanuc_tool_side_small_difference, limit2 - difference2, scale) == Sign::negative)
-      kept.push_back(group[i]);
+  SpaceGroup kept{group.vectors.front()};
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < group.vectors.size(); ++i) {
+    const Real difference2 = group.squared_distance(i, last);
+    if (recorder_.decide(Clause::fanuc_tool_side_small_difference, limit2 - difference2, scale) != Sign::negative)
+      continue;
+    kept.push_back(group.vectors[i]);
+    last = i;
   }
-  group = kept;
+  group.vectors = kept;
 }
 
 }  // namespace toolcomp::model

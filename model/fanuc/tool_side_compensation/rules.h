@@ -37,14 +37,14 @@ class SideRules {
   [[nodiscard]] SpaceGroup in_plane(SpaceGroup group) const;
 
  private:
-  [[nodiscard]] std::optional<SpaceGroup> by_first_rule(const SideCorner& corner, const SideCase& given) const;
-  [[nodiscard]] std::optional<SpaceGroup> in_mode(const SideCorner& corner) const;
-  [[nodiscard]] SpaceGroup start_up(const SideCorner& corner) const;
-  [[nodiscard]] SpaceGroup cancel(const SideCorner& corner) const;
+  [[nodiscard]] std::optional<SideGroup> by_first_rule(const SideCorner& corner, const SideCase& given) const;
+  [[nodiscard]] std::optional<SideGroup> in_mode(const SideCorner& corner) const;
+  [[nodiscard]] SideGroup start_up(const SideCorner& corner) const;
+  [[nodiscard]] SideGroup cancel(const SideCorner& corner) const;
   // The vectors of type B at start-up or cancel; nothing where there is one as in type A.
-  [[nodiscard]] std::optional<SpaceGroup> detour(const SideCorner& corner, bool cancels) const;
-  [[nodiscard]] SpaceGroup side_change(const SideCorner& corner) const;
-  void drop_small_differences(SpaceGroup& group, const SideCase& given) const;
+  [[nodiscard]] std::optional<SideGroup> detour(const SideCorner& corner, bool cancels) const;
+  [[nodiscard]] SideGroup side_change(const SideCorner& corner) const;
+  void drop_small_differences(SideGroup& group, const SideCase& given) const;
 
   Recorder& recorder_;
   CornerRules plane_rules_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/fanuc/tool_side_compensation/side_corner.h"
 
+#include <utility>
+
 namespace toolcomp::model {
 namespace {
 
@@ -12,6 +14,11 @@ void mark_stop(SpaceGroup& group) {
 }
 
 }  // namespace
+
+Real SideGroup::squared_distance(std::size_t a, std::size_t b) const {
+  if (in_frame.empty()) return squared_norm(vectors[a].vector - vectors[b].vector);
+  return squared_norm(in_frame[a].vector - in_frame[b].vector);
+}
 
 FramedCorner::FramedCorner(const SideCorner& corner) : corner_(corner) {
   const Vector v1 = direction_of(corner.former);
@@ -37,7 +44,7 @@ void FramedCorner::set_parallel(const Vector& v1, const Vector& v2) {
 }
 
 // Vectors square to a block have a simpler form than that in the frame.
-SpaceGroup FramedCorner::lifted(const VectorGroup& group) const {
+SideGroup FramedCorner::lifted(VectorGroup group) const {
   SpaceGroup result;
   result.reserve(group.size());
   for (const CornerVector& v : group) {
@@ -47,7 +54,7 @@ SpaceGroup FramedCorner::lifted(const VectorGroup& group) const {
     result.push_back({vector, v.former, v.latter, false});
   }
   mark_stop(result);
-  return result;
+  return {std::move(result), std::move(group)};
 }
 
 SpaceGroup way_round(CornerClass kind, const LineCorner& lines, bool with_former, bool with_latter) {

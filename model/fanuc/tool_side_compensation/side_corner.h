@@ -17,6 +17,15 @@ struct SideCorner {
   [[nodiscard]] bool of_lines() const { return !former.arc && !latter.arc; }
 };
 
+// The vectors of a corner; of one that has a frame, as they are seen there too: how far apart two of them are is told
+// there, nearer to what they are made of.
+struct SideGroup {
+  SpaceGroup vectors;
+  VectorGroup in_frame;  // as many, or none
+
+  [[nodiscard]] Real squared_distance(std::size_t a, std::size_t b) const;
+};
+
 // Both ends of a corner with an arc in a frame of the plane.
 class FramedCorner {
  public:
@@ -25,7 +34,7 @@ class FramedCorner {
   [[nodiscard]] const PathEnd& former() const { return former_; }
   [[nodiscard]] const PathEnd& latter() const { return latter_; }
   // A group made of them.
-  [[nodiscard]] SpaceGroup lifted(const VectorGroup& group) const;
+  [[nodiscard]] SideGroup lifted(VectorGroup group) const;
 
  private:
   void set_parallel(const Vector& v1, const Vector& v2);
