@@ -21,8 +21,11 @@ class CornerRules {
   [[nodiscard]] std::optional<VectorGroup> offset_mode(const PathEnd& former, const PathEnd& latter) const;
   // The side changes; `latter.offset` is the opposite of `former.offset`.
   [[nodiscard]] VectorGroup direction_change(const PathEnd& former, const PathEnd& latter) const;
-  // Whether an arc from `start` to `end`, seen from its centre, sweeps less than a half circle.
+  // Whether an arc from `start` to `end`, seen from its centre, sweeps less than a half circle. `radii`: their product.
   [[nodiscard]] bool is_under_half_circle(const ArcEnds& arc, const Real& radii) const;
+  [[nodiscard]] bool is_under_half_circle(const ArcEnds& arc) const {
+    return is_under_half_circle(arc, sqrt(squared_norm(arc.start) * squared_norm(arc.end)));
+  }
 
  protected:
   [[nodiscard]] Recorder& recorder() const { return recorder_; }

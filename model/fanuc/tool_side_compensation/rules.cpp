@@ -42,8 +42,7 @@ std::optional<SideGroup> SideRules::in_mode(const SideCorner& corner) const {
     case CornerClass::inner:
     case CornerClass::straight:
       recorder_.reach(Clause::fanuc_tool_side_inner);
-      return SideGroup{
-          one(kind == CornerClass::inner ? lines.tangents_meet() : perpendicular(corner.plane, corner.former)), {}};
+      return one(kind == CornerClass::inner ? lines.tangents_meet() : perpendicular(corner.plane, corner.former));
     // fanuc.tool-side.outer-obtuse: At an obtuse outer corner of two lines the group is the intersection of the offset
     // lines.
     case CornerClass::obtuse:
@@ -55,7 +54,7 @@ std::optional<SideGroup> SideRules::in_mode(const SideCorner& corner) const {
       recorder_.reach(Clause::fanuc_tool_side_outer_acute);
       break;
   }
-  return SideGroup{way_round(kind, lines, false, false), {}};
+  return way_round(kind, lines, false, false);
 }
 
 // fanuc.tool-side.type-b: No. 5003 bit 0, SUP: 0 type A, 1 type B.
@@ -108,7 +107,7 @@ std::optional<SideGroup> SideRules::detour(const SideCorner& corner, bool cancel
   const bool own = recorder_.decide(Clause::fanuc_tool_side_type_b_perpendicular, with_perpendicular_);
   const bool with_former = cancels ? corner.former.arc.has_value() : own;
   const bool with_latter = cancels ? own : corner.latter.arc.has_value();
-  if (lines) return SideGroup{way_round(kind, *lines, with_former, with_latter), {}};
+  if (lines) return way_round(kind, *lines, with_former, with_latter);
   return framed->lifted(model::way_round(kind, framed->former(), framed->latter(), with_former, with_latter));
 }
 
@@ -116,26 +115,26 @@ std::optional<SideGroup> SideRules::detour(const SideCorner& corner, bool cancel
 // block.
 SideGroup SideRules::start_up(const SideCorner& corner) const {
   const auto group = detour(corner, false);
-  return group ? *group : SideGroup{square_to_latter(corner.plane, corner.latter), {}};
+  return group ? *group : square_to_latter(corner.plane, corner.latter);
 }
 
 // fanuc.tool-side.cancel-inner: Type B at an inner corner, straight on included: the vector perpendicular to the last
 // compensated block.
 SideGroup SideRules::cancel(const SideCorner& corner) const {
   const auto group = detour(corner, true);
-  return group ? *group : SideGroup{square_to(corner.plane, corner.former), {}};
+  return group ? *group : square_to(corner.plane, corner.former);
 }
 
 // fanuc.tool-side.which-rule: The group between A and B is made by the first rule that applies: r = 0
 // (fanuc.cutter-c.value-zero); an alarm of fanuc.cutter-c.direction-change-at-start-up; Q1 of A; change of side;
 // repeated code; start-up block followed by the cancel block; cancel; start-up; corner of the mode, then Q2 of A.
 std::optional<SideGroup> SideRules::by_first_rule(const SideCorner& corner, const SideCase& given) const {
-  if (corner.former.offset == 0) return SideGroup{square_to(corner.plane, corner.former), {}};
+  if (corner.former.offset == 0) return square_to(corner.plane, corner.former);
   // fanuc.tool-side.q1: Q1 in block A: the vector at its end is the one perpendicular to A, whether an interference is
   // found or not, at a change of side too.
   if (given.treatment == 1) {
     recorder_.reach(Clause::fanuc_tool_side_q1);
-    return SideGroup{square_to(corner.plane, corner.former), {}};
+    return square_to(corner.plane, corner.former);
   }
   // fanuc.cutter-c.direction-change: Where the side changes from A to B (G41 to G42 or back, or the sign of the value)
   // inner and outer are not told apart: with an intersection of A's offset path and B's the group is its vector,
@@ -149,7 +148,7 @@ std::optional<SideGroup> SideRules::by_first_rule(const SideCorner& corner, cons
   // block ends with the vector perpendicular to it, whatever the type.
   if (given.repeated || (given.starts && given.cancels)) {
     recorder_.reach(given.repeated ? Clause::fanuc_tool_side_repeated : Clause::fanuc_tool_side_start_then_cancel);
-    return SideGroup{square_to(corner.plane, corner.former), {}};
+    return square_to(corner.plane, corner.former);
   }
   if (given.cancels) return cancel(corner);
   if (given.starts) return start_up(corner);
@@ -168,8 +167,7 @@ std::optional<SideGroup> SideRules::by_first_rule(const SideCorner& corner, cons
 // interference.
 std::optional<SpaceGroup> SideRules::group(const SideCorner& corner, const SideCase& given) const {
   std::optional<SideGroup> group = by_first_rule(corner, given);
-  if (!group) return std::nullopt;
-  if (corner.former.offset == 0) return std::move(group->vectors);
+  if (!group || corner.former.offset == 0) return group ? std::optional(std::move(group->vectors)) : std::nullopt;
   // fanuc.tool-side.q3: Q3 in block A: all vectors are kept, and there is no alarm of
   // fanuc.tool-side.plane-change-alarm; nor is there with Q1 or Q2.
   if (given.treatment == 3) recorder_.reach(Clause::fanuc_tool_side_q3);
@@ -191,11 +189,11 @@ SideGroup SideRules::side_change(const SideCorner& corner) const {
     // fanuc.cutter-c.direction-change-without-intersection: Without intersection (parallel tangents, R' < 0, paths that
     // do not meet) the group is the vector perpendicular to B at its start; there is no PS0033.
     recorder_.reach(Clause::fanuc_cutter_c_direction_change_without_intersection);
-    return {square_to_latter(corner.plane, corner.latter), {}};
+    return square_to_latter(corner.plane, corner.latter);
   }
   // fanuc.cutter-c.direction-change-lines: Two lines at an angle always have an intersection, however far away.
   recorder_.reach(Clause::fanuc_cutter_c_direction_change_lines);
-  return {one(lines.meeting_across()), {}};
+  return one(lines.meeting_across());
 }
 
 // fanuc.tool-side.small-difference: No. 5010 (setup units, 0 where not given, nothing is dropped where it is negative),
@@ -203,23 +201,18 @@ SideGroup SideRules::side_change(const SideCorner& corner) const {
 // by no more than the limit is dropped; the first always stays.
 void SideRules::drop_small_differences(SideGroup& group, const SideCase& given) const {
   if (group.vectors.size() < 2) return;
-  if (given.next.arc) {
-    const ArcEnds& arc = given.next.arc->ends;
-    if (!plane_rules_.is_under_half_circle(arc, sqrt(squared_norm(arc.start) * squared_norm(arc.end)))) return;
-  }
+  if (given.next.arc && !plane_rules_.is_under_half_circle(given.next.arc->ends)) return;
   if (limit_ < 0) return;
   const Rational limit2 = limit_ * limit_;
   const Rational scale = limit2 + 8 * given.distance * given.distance;
   SpaceGroup kept{group.vectors.front()};
-  std::size_t last = 0;
-  for (std::size_t i = 1; i < group.vectors.size(); ++i) {
-    const Real difference2 = group.squared_distance(i, last);
-    if (recorder_.decide(Clause::fanuc_tool_side_small_difference, limit2 - difference2, scale) != Sign::negative)
-      continue;
+  for (std::size_t i = 1, last = 0; i < group.vectors.size(); ++i) {
+    const Real apart2 = group.squared_distance(i, last);
+    if (recorder_.decide(Clause::fanuc_tool_side_small_difference, limit2 - apart2, scale) != Sign::negative) continue;
     kept.push_back(group.vectors[i]);
     last = i;
   }
-  group.vectors = kept;
+  group.vectors = std::move(kept);
 }
 
 }  // namespace toolcomp::model

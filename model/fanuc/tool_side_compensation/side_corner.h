@@ -2,6 +2,8 @@
 // A corner in the compensation plane: the block that ends there and the one that starts there.
 #pragma once
 
+#include <utility>
+
 #include "model/fanuc/corner/vector_group.h"
 #include "model/fanuc/tool_side_compensation/line_corner.h"
 #include "model/fanuc/tool_side_compensation/side_path.h"
@@ -20,6 +22,8 @@ struct SideCorner {
 // The vectors of a corner; of one that has a frame, as they are seen there too: how far apart two of them are is told
 // there, nearer to what they are made of.
 struct SideGroup {
+  SideGroup(SpaceGroup all, VectorGroup seen = {}) : vectors(std::move(all)), in_frame(std::move(seen)) {}
+
   SpaceGroup vectors;
   VectorGroup in_frame;  // as many, or none
 
