@@ -49,7 +49,7 @@ std::optional<int> written_system(const spec::Block& block) {
   const auto l = whole(last(block, 'L'));
   const auto p = whole(last(block, 'P'));
   if (!p || *p == 0) return std::nullopt;
-  if (l == 2) return *p;
+  if (l == 2) return p;
   if (l == 20) return kSystems + *p;
   return std::nullopt;
 }
