@@ -20,13 +20,12 @@ namespace {
 
 namespace fs = std::filesystem;
 using exact::Integer;
+using exact::power_of_ten;
 using exact::Rational;
 using exact::Sign;
 
 constexpr int kMarginDigits = 3;
 constexpr int kDeviationDigits = 4;
-
-Integer power_of_ten(int exponent) { return boost::multiprecision::pow(Integer(10), static_cast<unsigned>(exponent)); }
 
 // |quantity| / scale from above.
 Rational ratio(const model::Decision& d) {
@@ -147,15 +146,17 @@ std::string rounded_up(const Rational& value, int digits) {
   const Integer n = numerator(value);
   const Integer d = denominator(value);
   // n/d >= 10^exponent
-  const auto reaches = [&](int e) { return e >= 0 ? n >= d * power_of_ten(e) : n * power_of_ten(-e) >= d; };
+  const auto reaches = [&](int e) {
+    return e >= 0 ? n >= d * power_of_ten(static_cast<unsigned>(e)) : n * power_of_ten(static_cast<unsigned>(-e)) >= d;
+  };
   while (reaches(exponent + 1)) ++exponent;
   while (!reaches(exponent)) --exponent;
   // Digits in front of the point, the quotient upwards.
   const int shift = digits - 1 - exponent;
-  const Integer top = shift >= 0 ? Integer(n * power_of_ten(shift)) : n;
-  const Integer bottom = shift >= 0 ? d : Integer(d * power_of_ten(-shift));
+  const Integer top = shift >= 0 ? Integer(n * power_of_ten(static_cast<unsigned>(shift))) : n;
+  const Integer bottom = shift >= 0 ? d : Integer(d * power_of_ten(static_cast<unsigned>(-shift)));
   Integer mantissa = (top + bottom - 1) / bottom;
-  if (mantissa == power_of_ten(digits)) {
+  if (mantissa == power_of_ten(static_cast<unsigned>(digits))) {
     mantissa /= 10;
     ++exponent;
   }

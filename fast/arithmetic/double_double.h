@@ -11,6 +11,9 @@
 
 namespace toolcomp::fast {
 
+// -1, 0 or 1.
+inline int sign_of(double value) { return static_cast<int>(value > 0) - static_cast<int>(value < 0); }
+
 struct DoubleDouble {
   double hi = 0;
   double lo = 0;

@@ -49,8 +49,6 @@ inline std::array<DoubleDouble, 2> quotients(const DoubleDouble& a, const Double
   return {a / b, c / d};
 }
 
-inline int sign_of(double value) { return static_cast<int>(value > 0) - static_cast<int>(value < 0); }
-
 // 1 + k and 1 - k free of cancellation.
 template <class T>
 void complete(OffsetMeeting<T>& n) {

@@ -107,9 +107,7 @@ void reverse_difference(const spec::Case& c, std::vector<model::Event>& events) 
     const auto entry = c.setup.h.find(number);
     if (entry == c.setup.h.end()) continue;
     const spec::Decimal& old = event.setting.view().ends_with(".wear") ? entry->second.wear : entry->second.geometry;
-    exact::Integer scale = 1;
-    for (int i = 0; i < old.decimals; ++i) scale *= 10;
-    exact::Rational value(exact::Integer(old.digits), scale);
+    exact::Rational value(old.digits, exact::power_of_ten(old.decimals));
     if (old.negative) value = -value;
     event.value = Real(value) + Real(value) - event.value;
   }

@@ -4,9 +4,7 @@
 namespace toolcomp::fuzz::laws {
 
 Rational rational(const spec::Decimal& value) {
-  exact::Integer scale = 1;
-  for (int i = 0; i < value.decimals; ++i) scale *= 10;
-  Rational r(exact::Integer(value.digits), scale);
+  Rational r(value.digits, exact::power_of_ten(value.decimals));
   if (value.negative) r = -r;
   return r;
 }

@@ -15,9 +15,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Upwards to double: the conversion of a rational is to nearest or truncates, so one step more is enough.
-double upwards(const exact::Rational& value) {
-  return value == 0 ? 0 : std::nextafter(value.convert_to<double>(), kInfinity);
-}
+double upwards(const exact::Rational& value) { return value == 0 ? 0 : std::nextafter(value.to_double(), kInfinity); }
 
 double middle(const exact::DoubleEnclosure& e) { return e.lower + (e.upper - e.lower) / 2; }
 
@@ -126,11 +124,8 @@ std::optional<exact::Rational> parse_number(std::string_view text) {
     exponent += down ? -written : written;
   }
   if (at != text.size()) return std::nullopt;
-  // A leading zero would make the integer octal.
-  digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1));
   exact::Rational value{exact::Integer(digits)};
-  const exact::Integer power =
-      boost::multiprecision::pow(exact::Integer(10), static_cast<unsigned>(std::abs(exponent)));
+  const exact::Integer power = exact::power_of_ten(static_cast<unsigned>(std::abs(exponent)));
   if (exponent < 0)
     value /= exact::Rational(power);
   else

@@ -35,7 +35,7 @@ Rational rational(const Rational& x) { return x; }
 double rough_length(const Vector& v) { return std::hypot(approximate(v.x), approximate(v.y), approximate(v.z)); }
 Vector vector(const std::array<Real, 3>& v) { return {v[0], v[1], v[2]}; }
 
-double magnitude(const Rational& degrees) { return std::fabs(degrees.convert_to<double>()); }
+double magnitude(const Rational& degrees) { return std::fabs(degrees.to_double()); }
 
 }  // namespace
 
@@ -172,7 +172,7 @@ double PoseFit<Number>::rounded(const View& view) {
 
 template <class Number>
 Posture PoseFit<Number>::posture_at(const Positions& positions) const {
-  Posture posture(*estimate_, positions.tool.template convert_to<double>());
+  Posture posture(*estimate_, positions.tool.to_double());
   if (!posture.singular) return posture;
   // Doubles do not tell it from one hardly beside it.
   posture.polar_sine = rough_length(cross(machine_->tilted(positions.tool), machine_->work_side().line));

@@ -32,7 +32,7 @@ Rational plain(const spec::Decimal& value) {
   const std::uint64_t divisor = power_of_ten(value.decimals);
   const std::uint64_t common = std::gcd(value.digits, divisor);
   Rational result;
-  mpq_set_ui(result.backend().data(), value.digits / common, divisor / common);
+  mpq_set_ui(result.raw(), value.digits / common, divisor / common);
   return value.negative ? -result : result;
 }
 

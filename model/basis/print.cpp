@@ -8,9 +8,7 @@ namespace {
 
 // Whether the fraction has a finite decimal expansion of at most `digits` decimals.
 bool is_decimal(const exact::Rational& value, int digits) {
-  exact::Integer unit = 1;
-  for (int i = 0; i < digits; ++i) unit *= 10;
-  return unit % denominator(value) == 0;
+  return exact::power_of_ten(static_cast<unsigned>(digits)) % denominator(value) == 0;
 }
 
 }  // namespace

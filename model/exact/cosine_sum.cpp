@@ -13,8 +13,8 @@ constexpr std::int64_t greatest_prime = 1000;
 // Sums of two multiples must not overflow.
 constexpr std::int64_t greatest_order = std::int64_t{1} << 61;
 
-mpz_srcptr raw(const Integer& x) { return x.backend().data(); }
-mpz_ptr raw(Integer& x) { return x.backend().data(); }
+mpz_srcptr raw(const Integer& x) { return x.raw(); }
+mpz_ptr raw(Integer& x) { return x.raw(); }
 
 std::int64_t words(const Integer& x) { return 1 + static_cast<std::int64_t>(mpz_size(raw(x))); }
 

@@ -20,7 +20,7 @@ constexpr mpfr_prec_t greatest_readout_precision = mpfr_prec_t{1} << 18;
 
 Rational rational_of(const mpfr_t x) {
   Rational result;
-  mpfr_get_q(result.backend().data(), x);
+  mpfr_get_q(result.raw(), x);
   return result;
 }
 
@@ -58,12 +58,6 @@ bool is_narrow(const DoubleEnclosure& x, int bits) {
   return std::ldexp(above(x.upper - x.lower), bits) <= std::min(std::fabs(x.lower), std::fabs(x.upper));
 }
 
-Rational rational_of(double x) {
-  Rational result;
-  mpq_set_d(result.backend().data(), x);
-  return result;
-}
-
 // The best enclosure to be had, of relative width 2^-bits if the work reaches. The node is no rational.
 const Interval& narrowed(Node& node, int bits) {
   if (is_narrow(node.base_enclosure(), bits)) return node.base_enclosure();
@@ -77,18 +71,6 @@ const Interval& narrowed(Node& node, int bits) {
     return node.best_enclosure();  // wider, but holds the value, too
   }
   return node.best_enclosure();
-}
-
-Rational power_of_ten(int exponent) {
-  Rational result = 1;
-  mpz_ui_pow_ui(mpq_numref(result.backend().data()), 10, static_cast<unsigned long>(exponent));
-  return result;
-}
-
-Integer floor(const Rational& x) {
-  Integer result;
-  mpz_fdiv_q(result.backend().data(), mpq_numref(x.backend().data()), mpq_denref(x.backend().data()));
-  return result;
 }
 
 Integer half_to_even(const Rational& x) {
@@ -153,7 +135,7 @@ std::string digits_of(Integer scaled, int digits) {
 Enclosure Real::enclosure(int bits) const {
   if (is_rational()) return {rational(), rational()};
   if (const DoubleEnclosure& rough = node_->bounds(); is_narrow(rough, bits))
-    return {rational_of(rough.lower), rational_of(rough.upper)};
+    return {Rational(rough.lower), Rational(rough.upper)};
   const auto known = try_decide(*node_);
   if (known == Sign::zero) return {};
   // Around a zero that is not proven there is no relative width to be had.
@@ -176,6 +158,8 @@ DoubleEnclosure Real::double_enclosure() const {
 
 DoubleEnclosure Real::rough_enclosure() const { return node_ == nullptr ? DoubleEnclosure{} : node_->bounds(); }
 
-std::string Real::decimal(int digits) const { return digits_of(rounded(*this * Real(power_of_ten(digits))), digits); }
+std::string Real::decimal(int digits) const {
+  return digits_of(rounded(*this * Real(Rational(power_of_ten(static_cast<unsigned>(digits))))), digits);
+}
 
 }  // namespace toolcomp::exact

@@ -44,7 +44,7 @@ const std::array<SineAndCosine, quarter_turn + 1>& table_of_sines() {
       InlineInterval sine;
       InlineInterval cosine;
       const Rational degrees(static_cast<int>(i));
-      sine_and_cosine(&sine, &cosine, degrees.backend().data());
+      sine_and_cosine(&sine, &cosine, degrees.raw());
       entries[i] = {enclosing(sine), enclosing(cosine)};
     }
     return entries;

@@ -112,7 +112,7 @@ class RationalValue::LowestTerms {
   explicit LowestTerms(const RationalValue& x) : terms_(x.value_) {
     if (x.decimals_ == kLowestTerms) return;
     made_ = x.rational();
-    terms_ = made_.backend().data();
+    terms_ = made_.raw();
   }
   [[nodiscard]] mpq_srcptr get() const { return terms_; }
 
@@ -140,10 +140,10 @@ Rational RationalValue::rational() const {
   Rational result;
   if (sign() == 0) return result;
   if (is_decimal()) {
-    reduce(result.backend().data(), numerator(), decimals_);
+    reduce(result.raw(), numerator(), decimals_);
   } else {
-    mpq_set(result.backend().data(), value_);
-    if (decimals_ == kQuotient) mpq_canonicalize(result.backend().data());
+    mpq_set(result.raw(), value_);
+    if (decimals_ == kQuotient) mpq_canonicalize(result.raw());
   }
   return result;
 }

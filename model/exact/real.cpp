@@ -122,15 +122,15 @@ struct Quadrant {
 };
 Quadrant quadrant(const Rational& degrees) {
   Quadrant result{degrees, 0};
-  auto* const rest = result.degrees.backend().data();
+  auto* const rest = result.degrees.raw();
   if (mpq_sgn(rest) >= 0 && mpq_cmp_ui(rest, 90, 1) < 0) return result;
   Integer per_quarter;
   Integer quarters;
-  mpz_mul_ui(per_quarter.backend().data(), mpq_denref(rest), 90);
+  mpz_mul_ui(per_quarter.raw(), mpq_denref(rest), 90);
   // What is left is in lowest terms as the whole was.
-  mpz_fdiv_qr(quarters.backend().data(), mpq_numref(rest), mpq_numref(rest), per_quarter.backend().data());
+  mpz_fdiv_qr(quarters.raw(), mpq_numref(rest), mpq_numref(rest), per_quarter.raw());
   if (mpq_sgn(rest) == 0) mpq_set_ui(rest, 0, 1);
-  result.quarter = static_cast<int>(mpz_fdiv_ui(quarters.backend().data(), 4));
+  result.quarter = static_cast<int>(mpz_fdiv_ui(quarters.raw(), 4));
   return result;
 }
 
@@ -139,7 +139,7 @@ Real cosine_at(int quarter, const Rational& degrees) {
   const bool swapped = quarter % 2 != 0;
   const bool negative = quarter == 1 || quarter == 2;
   if (degrees.is_zero()) return swapped ? Real() : Real(negative ? -1 : 1);
-  const Real value = sine_or_cosine(swapped ? Kind::sine : Kind::cosine, degrees.backend().data());
+  const Real value = sine_or_cosine(swapped ? Kind::sine : Kind::cosine, degrees.raw());
   return negative ? -value : value;
 }
 
@@ -154,7 +154,7 @@ Real::Real(int value) : node_(nullptr) {
 Real::Real(const Rational& value) : node_(nullptr) {
   if (value.is_zero()) return;
   node_ = new_node(Kind::rational);
-  node_->value.set(value.backend().data());
+  node_->value.set(value.raw());
 }
 Real::Real(const Real& other) : node_(other.node_) {
   if (node_ != nullptr) ++node_->references;

@@ -2,16 +2,14 @@
 // Exact real numbers: rationals, and expressions over square roots, sines and cosines with certified signs.
 #pragma once
 
-#include <boost/multiprecision/gmp.hpp>
 #include <cstdint>
 #include <exception>
 #include <string>
 #include <string_view>
 
-namespace toolcomp::exact {
+#include "model/exact/rational.h"
 
-using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
-using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+namespace toolcomp::exact {
 
 enum class Sign : std::int8_t { negative = -1, zero = 0, positive = 1 };
 constexpr Sign operator-(Sign s) { return static_cast<Sign>(-static_cast<int>(s)); }

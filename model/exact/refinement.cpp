@@ -34,10 +34,10 @@ void enclose(Interval& result, const Node& node, const Interval* left, const Int
       set(result, node.value.numerator(), node.value.denominator());
       break;
     case Kind::sine:
-      sine_and_cosine(&result, nullptr, node.value.rational().backend().data());
+      sine_and_cosine(&result, nullptr, node.value.rational().raw());
       break;
     case Kind::cosine:
-      sine_and_cosine(nullptr, &result, node.value.rational().backend().data());
+      sine_and_cosine(nullptr, &result, node.value.rational().raw());
       break;
     case Kind::negation:
       negate(result, *left);

@@ -18,8 +18,8 @@ constexpr std::size_t bits_of_power = 8;
 constexpr Powers too_great = 0x8080808080808080;  // the highest bit of each exponent
 constexpr mpfr_prec_t first_precision = 128;
 
-mpz_srcptr raw(const Integer& x) { return x.backend().data(); }
-mpz_ptr raw(Integer& x) { return x.backend().data(); }
+mpz_srcptr raw(const Integer& x) { return x.raw(); }
+mpz_ptr raw(Integer& x) { return x.raw(); }
 
 Roots bit(std::size_t root) { return Roots{1} << root; }
 std::size_t last(Roots roots) { return static_cast<std::size_t>(std::bit_width(roots)) - 1; }
@@ -205,7 +205,7 @@ void RootTower::enclose(Interval& result, const CosineSum& sum) {
       exact::set(product, coefficient);
     } else {
       const Rational degrees(Integer(term.angle) * 360, Integer(circle_.order()));
-      sine_and_cosine(nullptr, &cosine, degrees.backend().data());
+      sine_and_cosine(nullptr, &cosine, degrees.raw());
       exact::multiply(product, coefficient, cosine);
       mpfr_mul_2ui(product.lower, product.lower, 1, MPFR_RNDD);
       mpfr_mul_2ui(product.upper, product.upper, 1, MPFR_RNDU);

@@ -41,7 +41,7 @@ void write(spec::StateWriter& out, const Real& value) {
   for (const Node* node : anew) {
     out(number(out, node), node->kind, node->knowledge == Knowledge::undecided, number(out, node->left),
         number(out, node->right), node->refined != nullptr);
-    if (node->has_value()) write(out, node->value.rational().backend().data());
+    if (node->has_value()) write(out, node->value.rational().raw());
     if (node->refined) write(out, *node->refined);
   }
   out(number(out, root));
@@ -53,8 +53,6 @@ void write(spec::StateWriter& out, const Real& value) {
 namespace toolcomp::spec {
 
 void StateOf<exact::Real>::write(StateWriter& out, const exact::Real& value) { exact::write(out, value); }
-void StateOf<exact::Rational>::write(StateWriter& out, const exact::Rational& value) {
-  exact::write(out, value.backend().data());
-}
+void StateOf<exact::Rational>::write(StateWriter& out, const exact::Rational& value) { exact::write(out, value.raw()); }
 
 }  // namespace toolcomp::spec

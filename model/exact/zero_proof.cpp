@@ -261,7 +261,7 @@ class Proof {
         n /= p * p;
         factor *= p;
       }
-    if (mpz_perfect_square_p(n.backend().data()) != 0) factor *= sqrt(n);
+    if (mpz_perfect_square_p(n.raw()) != 0) factor *= sqrt(n);
     return factor;
   }
 

@@ -46,12 +46,6 @@ std::optional<Rational> thousandths(const Real& x) {
 
 }  // namespace
 
-Integer floor(const Rational& x) {
-  Integer result;
-  mpz_fdiv_q(result.backend().data(), mpq_numref(x.backend().data()), mpq_denref(x.backend().data()));
-  return result;
-}
-
 Angle Angle::of_unit(const Real& cosine, const Real& sine) {
   if (const auto known = multiple_of_45(cosine, sine)) return *known;
   Angle result;

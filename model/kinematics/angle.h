@@ -92,8 +92,6 @@ std::optional<Rational> known_difference(const Angle& a, const Angle& b);
 // A number with the sign of a - b and of magnitude at most 1: the sine of the difference where that is less than 90
 // degrees. For a recorder's decide().
 Real order(const Angle& a, const Angle& b);
-// The largest whole number not above x.
-Integer floor(const Rational& x);
 // |a|.
 Angle absolute(const Angle& a);
 

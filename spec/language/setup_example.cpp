@@ -21,7 +21,7 @@ constexpr std::string_view kFanucAxes =
     R"toml(axes = ["X", "Y", "Z", "B", "C"]      # [X Y Z] controlled axes 1, 2, 3, …: the numbers that 19681 and 19686 mean
 )toml";
 
-constexpr std::string_view kParameters =
+constexpr std::string_view kParametersHead =
     R"toml(
 [parameters]                          # by number; bits as "number#bit"; `toolcomp spec parameters` lists all
 )toml";
@@ -147,7 +147,7 @@ std::string parameter_lines() {
 
 std::string_view setup_example(Control control) {
   static const std::string fanuc = std::string(kFanucHead) + key_lines(Control::fanuc, kFanucAxes) +
-                                   std::string(kParameters) + parameter_lines() + std::string(kFanucTables);
+                                   std::string(kParametersHead) + parameter_lines() + std::string(kFanucTables);
   static const std::string heidenhain =
       std::string(kHeidenhainHead) + key_lines(Control::heidenhain, kHeidenhainAxes) + std::string(kHeidenhainTables);
   return control == Control::heidenhain ? heidenhain : fanuc;

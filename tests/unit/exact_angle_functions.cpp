@@ -28,7 +28,7 @@ bool holds(const Enclosure& bounds, const Number& x) {
   const Rational slack = Rational(1, Integer(1) << 300);
   const Rational low = bounds.lower - slack;
   const Rational high = bounds.upper + slack;
-  return mpfr_cmp_q(x.value, low.backend().data()) >= 0 && mpfr_cmp_q(x.value, high.backend().data()) <= 0;
+  return mpfr_cmp_q(x.value, low.raw()) >= 0 && mpfr_cmp_q(x.value, high.raw()) <= 0;
 }
 
 // t atan(y / x) in radians.
@@ -36,7 +36,7 @@ void fraction_of_arctangent(Number& result, int y, int x, const Rational& t) {
   mpfr_set_si(result.value, y, MPFR_RNDN);
   mpfr_div_si(result.value, result.value, x, MPFR_RNDN);
   mpfr_atan(result.value, result.value, MPFR_RNDN);
-  mpfr_mul_q(result.value, result.value, t.backend().data(), MPFR_RNDN);
+  mpfr_mul_q(result.value, result.value, t.raw(), MPFR_RNDN);
 }
 
 TEST(AngleFunctions, SinesOfFractionsOfArctangents) {
@@ -60,7 +60,7 @@ TEST(AngleFunctions, ArctangentsAreThoseOfMpfr) {
   for (const Rational& size : {Rational(1), Rational(1, 3), Rational(1000003, 1000000), 1 / huge, huge})
     for (const Rational& tangent : {size, Rational(-size)}) {
       Number expected;
-      mpfr_set_q(expected.value, tangent.backend().data(), MPFR_RNDN);
+      mpfr_set_q(expected.value, tangent.raw(), MPFR_RNDN);
       mpfr_atanu(expected.value, expected.value, 360, MPFR_RNDN);
       const Enclosure bounds = arctangent_degrees(Real(tangent)).enclosure(150);
       EXPECT_TRUE(holds(bounds, expected)) << tangent;

@@ -160,23 +160,22 @@ TEST(DoubleEnclosure, InfiniteEndsGiveNoNumberThatIsNone) {
 
 double rounded(const Rational& value, mpfr_rnd_t direction) {
   Number number;
-  mpfr_set_q(number.get(), value.backend().data(), direction);
+  mpfr_set_q(number.get(), value.raw(), direction);
   return mpfr_get_d(number.get(), direction);
 }
 
 TEST(DoubleEnclosure, RationalsAreHeld) {
   Random random;
   const auto check = [](const Rational& value) {
-    const DoubleEnclosure x = enclosing(mpq_numref(value.backend().data()), mpq_denref(value.backend().data()));
-    ASSERT_TRUE(holds(x, [&](mpfr_ptr z, mpfr_rnd_t rounding) { mpfr_set_q(z, value.backend().data(), rounding); }))
-        << value;
+    const DoubleEnclosure x = enclosing(mpq_numref(value.raw()), mpq_denref(value.raw()));
+    ASSERT_TRUE(holds(x, [&](mpfr_ptr z, mpfr_rnd_t rounding) { mpfr_set_q(z, value.raw(), rounding); })) << value;
   };
   for (int i = 0; i < numbers; ++i) {
     const Integer a = Integer(random.word()) * (i % 3 == 0 ? Integer(random.word()) : 1);
     const Integer b = Integer(random.word() | 1) * (i % 5 == 0 ? Integer(random.word() | 1) : 1);
     const Rational value = i % 2 == 0 ? Rational(a, b) : Rational(-a, b);
     check(value);
-    ASSERT_TRUE(is_tight(enclosing(mpq_numref(value.backend().data()), mpq_denref(value.backend().data())))) << value;
+    ASSERT_TRUE(is_tight(enclosing(mpq_numref(value.raw()), mpq_denref(value.raw())))) << value;
     const DoubleEnclosure read = Real(value).double_enclosure();
     ASSERT_EQ(read.lower, rounded(value, MPFR_RNDD)) << value;
     ASSERT_EQ(read.upper, rounded(value, MPFR_RNDU)) << value;
@@ -189,7 +188,7 @@ TEST(DoubleEnclosure, RationalsAreHeld) {
 
 TEST(DoubleEnclosure, EnclosuresOfMoreBitsAreRoundedOutwards) {
   InlineInterval third;
-  set(third, mpq_numref(Rational(1, 3).backend().data()), mpq_denref(Rational(1, 3).backend().data()));
+  set(third, mpq_numref(Rational(1, 3).raw()), mpq_denref(Rational(1, 3).raw()));
   const DoubleEnclosure x = enclosing(third);
   EXPECT_LT(mpfr_cmp_d(third.lower, x.lower) * mpfr_cmp_d(third.upper, x.upper), 0);
   EXPECT_EQ(above(x.lower), x.upper);

@@ -23,7 +23,7 @@ void set_ends(Interval& x, int lower, int upper) {
 }
 
 bool contains(const Interval& x, const Rational& value) {
-  return mpfr_cmp_q(x.lower, value.backend().data()) <= 0 && mpfr_cmp_q(x.upper, value.backend().data()) >= 0;
+  return mpfr_cmp_q(x.lower, value.raw()) <= 0 && mpfr_cmp_q(x.upper, value.raw()) >= 0;
 }
 
 // The ends are attained at the ends of the operands, so no interval is wider than it need be.
@@ -36,8 +36,8 @@ bool is_hull(const Interval& x, const std::vector<Rational>& values) {
   }
   InlineInterval of_low;
   InlineInterval of_high;
-  set(of_low, mpq_numref(low.backend().data()), mpq_denref(low.backend().data()));
-  set(of_high, mpq_numref(high.backend().data()), mpq_denref(high.backend().data()));
+  set(of_low, mpq_numref(low.raw()), mpq_denref(low.raw()));
+  set(of_high, mpq_numref(high.raw()), mpq_denref(high.raw()));
   return mpfr_equal_p(x.lower, of_low.lower) && mpfr_equal_p(x.upper, of_high.upper);
 }
 
@@ -112,7 +112,7 @@ TEST(Interval, RationalsAreContainedAndOneUnitWide) {
   for (int denominator = 1; denominator < 200; ++denominator) {
     const Rational value(-7919, denominator);
     InlineInterval x;
-    set(x, mpq_numref(value.backend().data()), mpq_denref(value.backend().data()));
+    set(x, mpq_numref(value.raw()), mpq_denref(value.raw()));
     EXPECT_TRUE(contains(x, value));
     mpfr_nextabove(x.lower);
     EXPECT_GE(mpfr_cmp(x.lower, x.upper), 0);
@@ -136,13 +136,13 @@ TEST(Interval, RationalsAreRoundedAsByMpfr) {
     const Integer denominator = divisor * common;
     const Rational value(numerator, denominator);
     InlineInterval x;
-    set(x, numerator.backend().data(), denominator.backend().data());
+    set(x, numerator.raw(), denominator.raw());
     InlineInterval by_mpfr;
-    mpfr_set_q(by_mpfr.lower, value.backend().data(), MPFR_RNDD);
-    mpfr_set_q(by_mpfr.upper, value.backend().data(), MPFR_RNDU);
+    mpfr_set_q(by_mpfr.lower, value.raw(), MPFR_RNDD);
+    mpfr_set_q(by_mpfr.upper, value.raw(), MPFR_RNDU);
     ASSERT_TRUE(mpfr_equal_p(x.lower, by_mpfr.lower)) << value;
     ASSERT_TRUE(mpfr_equal_p(x.upper, by_mpfr.upper)) << value;
-    ASSERT_EQ(mpfr_cmp(x.lower, x.upper) == 0, contains(x, value) && mpfr_cmp_q(x.lower, value.backend().data()) == 0);
+    ASSERT_EQ(mpfr_cmp(x.lower, x.upper) == 0, contains(x, value) && mpfr_cmp_q(x.lower, value.raw()) == 0);
   }
 }
 
@@ -169,7 +169,7 @@ TEST(Interval, SinesAndCosinesAreEnclosed) {
       HeapInterval a(precision);
       HeapInterval b(precision);
       HeapInterval one(precision);
-      sine_and_cosine(&sine, &cosine, degrees.backend().data());
+      sine_and_cosine(&sine, &cosine, degrees.raw());
       square(a, sine);
       square(b, cosine);
       add(one, a, b);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int numbers = toolcomp::test::random_cases(200'000);
 
-mpq_srcptr raw(const Rational& x) { return x.backend().data(); }
+mpq_srcptr raw(const Rational& x) { return x.raw(); }
 
 // Of any length up to two words, sometimes with many factors in common with others, or at the limit of one word.
 Integer whole(std::mt19937_64& bits) {
@@ -37,7 +37,7 @@ Integer whole(std::mt19937_64& bits) {
 // A decimal as programs have them, or any quotient.
 Rational rational(std::mt19937_64& bits) {
   Integer denominator = whole(bits);
-  if (bits() % 2 == 0) denominator = boost::multiprecision::pow(Integer(10), static_cast<unsigned>(bits() % 24));
+  if (bits() % 2 == 0) denominator = exact::pow(Integer(10), static_cast<unsigned>(bits() % 24));
   const Rational value(whole(bits), denominator.is_zero() ? Integer(1) : denominator);
   return bits() % 2 == 0 ? value : Rational(-value);
 }
@@ -65,9 +65,9 @@ void expect_equal(const Pair& x) {
   ASSERT_GT(mpz_sgn(x.ours->denominator()), 0);
   Rational left;  // the same as it is seen
   Rational right = x.of_gmp;
-  mpq_set_z(left.backend().data(), x.ours->numerator());
-  mpz_mul(mpq_numref(right.backend().data()), mpq_numref(raw(right)), x.ours->denominator());
-  mpq_canonicalize(right.backend().data());
+  mpq_set_z(left.raw(), x.ours->numerator());
+  mpz_mul(mpq_numref(right.raw()), mpq_numref(raw(right)), x.ours->denominator());
+  mpq_canonicalize(right.raw());
   ASSERT_EQ(left, right);
 }
 

@@ -35,7 +35,7 @@ struct MpfiArithmetic {
 
   static Value rational(const Rational& value) {
     Value result = make();
-    mpfi_set_q(result->get(), value.backend().data());
+    mpfi_set_q(result->get(), value.raw());
     return result;
   }
   static Value radians(const Rational& degrees) {
@@ -104,8 +104,7 @@ struct MpfiArithmetic {
 };
 
 bool overlap(const Enclosure& bounds, mpfi_ptr x) {
-  return mpfr_cmp_q(&x->left, bounds.upper.backend().data()) <= 0 &&
-         mpfr_cmp_q(&x->right, bounds.lower.backend().data()) >= 0;
+  return mpfr_cmp_q(&x->left, bounds.upper.raw()) <= 0 && mpfr_cmp_q(&x->right, bounds.lower.raw()) >= 0;
 }
 
 // 0 stands for an enclosure that holds zero.

@@ -80,7 +80,6 @@ class SideGeometry {
   [[nodiscard]] const Kinematics& kinematics() const { return kinematics_; }
 
  private:
-  static int sign_of(double value) { return static_cast<int>(value > 0) - static_cast<int>(value < 0); }
   // One block at a corner, in the plane of the tool there: unit tangent, its left normal, and the radius of an arc.
   struct FineLeg {
     Vector3<DoubleDouble> ahead;

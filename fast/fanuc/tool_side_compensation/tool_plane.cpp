@@ -20,8 +20,6 @@ Fine fine(const std::array<Int128, 3>& v) {
 Exact exact(const std::array<Int128, 3>& v) { return {Wide(v[0]), Wide(v[1]), Wide(v[2])}; }
 Fine fine(const Exact& v) { return {v.x.to_double_double(), v.y.to_double_double(), v.z.to_double_double()}; }
 
-int sign_of(double value) { return value > 0 ? 1 : (value < 0 ? -1 : 0); }
-
 // Bit i: component i is not 0.
 unsigned live(const Travel& travel) {
   return static_cast<unsigned>(travel.value.x != 0) | static_cast<unsigned>(travel.value.y != 0) << 1U |
