@@ -26,12 +26,12 @@ TEST(BoostMpfi, ConvertsRationalsToAPointBesideThem) {
   const BoostInterval boost_tenth{boost::multiprecision::mpq_rational(1, 10)};
   const auto* const ends = boost_tenth.backend().data();
   EXPECT_TRUE(mpfr_equal_p(&ends->left, &ends->right));
-  EXPECT_NE(mpfr_cmp_q(&ends->left, tenth.backend().data()), 0);
+  EXPECT_NE(mpfr_cmp_q(&ends->left, tenth.raw()), 0);
 
   InlineInterval ours;
-  set(ours, mpq_numref(tenth.backend().data()), mpq_denref(tenth.backend().data()));
-  EXPECT_LT(mpfr_cmp_q(ours.lower, tenth.backend().data()), 0);
-  EXPECT_GT(mpfr_cmp_q(ours.upper, tenth.backend().data()), 0);
+  set(ours, mpq_numref(tenth.raw()), mpq_denref(tenth.raw()));
+  EXPECT_LT(mpfr_cmp_q(ours.lower, tenth.raw()), 0);
+  EXPECT_GT(mpfr_cmp_q(ours.upper, tenth.raw()), 0);
 }
 
 TEST(BoostMpfiDeathTest, EndsTheProgramWhenOverlappingIntervalsAreCompared) {

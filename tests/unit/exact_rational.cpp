@@ -80,8 +80,8 @@ TEST(ExactRational, ComputesAsBoostDoes) {
     }
     const Rational x{Integer(a), Integer(b)};
     const Rational y{Integer(c), Integer(d)};
-    const Fraction u(Whole(a), Whole(b));
-    const Fraction v(Whole(c), Whole(d));
+    const Fraction u{Whole(a), Whole(b)};
+    const Fraction v{Whole(c), Whole(d)};
     ASSERT_EQ(x.str(), u.str());
     ASSERT_EQ(Rational(x.str()), x);
     ASSERT_EQ((x + y).str(), Fraction(u + v).str());

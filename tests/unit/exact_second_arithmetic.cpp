@@ -140,7 +140,8 @@ TEST(SecondArithmetic, AgreesOnRandomExpressions) {
       ASSERT_EQ(static_cast<int>(sign), sign_of(enclosures.back()->get())) << "expression " << i;
       if (sign == Sign::zero) ++zeros;
       const DoubleEnclosure doubles = values.back().double_enclosure();
-      ASSERT_TRUE(overlap({doubles.lower, doubles.upper}, enclosures.back()->get())) << "expression " << i;
+      ASSERT_TRUE(overlap({Rational(doubles.lower), Rational(doubles.upper)}, enclosures.back()->get()))
+          << "expression " << i;
     } catch (const Undecided&) {
       ++undecided;
     }

@@ -46,7 +46,7 @@ std::vector<std::vector<Position>> passes(const spec::Case& c) {
         starts = starts || word.value.digits == 412 || word.value.digits == 422 || word.value.digits == 416 ||
                  word.value.digits == 426;
       } else {
-        p[word.address] = model::plain(word.value).convert_to<double>();
+        p[word.address] = model::plain(word.value).to_double();
       }
     }
     if (starts) result.emplace_back();
