@@ -136,12 +136,7 @@ std::string Rational::str() const {
 double Rational::to_double() const {
   mpfr_t rounded;
   mpfr_init2(rounded, std::numeric_limits<double>::digits);
-  // Subnormal numbers have fewer digits: rounding twice would not give the nearest.
-  const int inexact = mpfr_set_q(rounded, value_, MPFR_RNDN);
-  const mpfr_exp_t least = mpfr_get_emin();
-  mpfr_set_emin(std::numeric_limits<double>::min_exponent - std::numeric_limits<double>::digits + 1);
-  mpfr_subnormalize(rounded, inexact, MPFR_RNDN);
-  mpfr_set_emin(least);
+  mpfr_set_q(rounded, value_, MPFR_RNDN);
   const double result = mpfr_get_d(rounded, MPFR_RNDN);
   mpfr_clear(rounded);
   return result;

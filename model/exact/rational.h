@@ -138,7 +138,7 @@ class Rational {
   [[nodiscard]] mpq_ptr raw() { return value_; }  ///< who changes it leaves lowest terms
   [[nodiscard]] int sign() const { return mpq_sgn(value_); }
   [[nodiscard]] bool is_zero() const { return sign() == 0; }
-  [[nodiscard]] double to_double() const;  ///< the nearest
+  [[nodiscard]] double to_double() const;  ///< the nearest that is normal
   [[nodiscard]] std::string str() const;   ///< "p" or "p/q"
 
   Rational& operator+=(const Rational& x);

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "tests/command_line/command.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 namespace {
 

@@ -13,7 +13,7 @@
 #include "corpus/sha256.h"
 #include "spec/language/input_error.h"
 #include "tests/command_line/bundles.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 namespace {
 
@@ -21,7 +21,7 @@ using toolcomp::certify::bundle::Verification;
 using toolcomp::test::Folder;
 using toolcomp::test::Members;
 
-constexpr int kTrials = toolcomp::test::kSanitized ? 60 : 400;
+const int kTrials = toolcomp::test::effort(60, 400);
 
 // Nothing: no bundle.
 std::optional<Verification> verify(const std::string& file, bool all) {

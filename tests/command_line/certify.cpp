@@ -6,7 +6,7 @@
 #include <string>
 
 #include "tests/command_line/command.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 namespace {
 
@@ -26,7 +26,7 @@ std::string wrapper(const Folder& folder, const std::string& name, const std::st
 
 TEST(Certify, TheFastEngineConforms) {
   const Folder folder;
-  const std::string cases = toolcomp::test::kSanitized ? " --cases 20" : " --cases 100";
+  const std::string cases = toolcomp::test::effort(" --cases 20", " --cases 100");
   const Outcome outcome =
       toolcomp("certify --controller '" + kServe + "'" + cases + " --report " + folder.path("report"));
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
@@ -92,7 +92,7 @@ TEST(Certify, AHangIsAFinding) {
   const std::string controller =
       "sh " + folder.write("hang.sh", "read hello\n" + kServe + " <<E\n{\"hello\":1}\nE\nsleep 600\n");
   const Outcome outcome = toolcomp("certify --controller '" + controller +
-                                   "' --section fanuc/leading-edge-offset --cases 1 --timeout 0.5 --report " +
+                                   "' --section fanuc/leading-edge-offset --cases 1 --timeout 5 --report " +
                                    folder.path("report") + " " + kExamples + "three-hole-boring/three-holes.nc");
   EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
   EXPECT_NE(outcome.out.find("hang"), std::string::npos) << outcome.out;

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "tests/command_line/command.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 namespace {
 
@@ -20,7 +20,7 @@ std::string program(const std::string& last) {
   std::string text = "G21 G90 G17\nG01 G41 D1 X10. F100\n";
   const std::string corners[] = {"X100.000 Y0.000 Z0.0000\n", "X100.000 Y100.000 Z1.0000\n",
                                  "X0.000 Y100.000 Z0.0000\n", "X0.000 Y0.000 Z1.0000\n"};
-  const int blocks = toolcomp::test::kSanitized ? 13'000 : 20'000;
+  const int blocks = toolcomp::test::effort(13'000, 20'000);
   for (int i = 0; i < blocks; ++i) text += corners[i % 4];
   return text + last;
 }

@@ -21,7 +21,7 @@
 #include "fuzz/gen/generator.h"
 #include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 namespace toolcomp::certify {
 namespace {

@@ -13,7 +13,7 @@
 #include "fuzz/gen/encode.h"
 #include "fuzz/oracle/number.h"
 #include "fuzz/oracle/trial.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 namespace toolcomp::fuzz {
 namespace {

@@ -12,12 +12,12 @@
 #include "fuzz/oracle/verdict.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_key.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 namespace toolcomp::fuzz {
 namespace {
 
-constexpr std::uint64_t kCases = test::kSanitized ? 200 : 1000;
+const std::uint64_t kCases = test::effort(200, 1000);
 
 struct Seen {
   std::uint64_t few = 0;          // cases with fewer than three events that are judged
@@ -70,7 +70,7 @@ TEST(Generators, DirectedCasesGiveTheJudgeSomethingToDo) {
     const auto share = [](std::uint64_t n) { return 100.0 * static_cast<double>(n) / static_cast<double>(kCases); };
     fmt::print("{:34} fewer than three events {:.1f} %, alarms {:.1f} % ({} kinds), in the first half {:.1f} %\n",
                section, share(seen.few), share(seen.alarms), seen.numbers.size(), share(seen.early));
-    if (test::kSanitized) continue;  // too few cases for shares
+    if (!test::whole()) continue;  // too few cases for shares
     EXPECT_LE(share(seen.few), 5) << section;
     EXPECT_GE(share(seen.alarms), 5) << section;
     EXPECT_LE(3 * seen.early, seen.alarms) << section << ": alarms come late";

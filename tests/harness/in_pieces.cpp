@@ -25,7 +25,7 @@
 #include "spec/language/event_map.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -193,7 +193,7 @@ StreamedProgram streamed(const spec::Case& c) {
 
 // Pieces of some blocks, so that many guesses are wrong.
 TEST(InPieces, GiveTheVerdictOfOneThread) {
-  constexpr std::uint64_t seeds = test::random_cases(60);
+  const std::uint64_t seeds = test::random_cases(60);
   for (std::uint64_t seed = 0; seed < seeds; ++seed)
     for (const std::string_view section : sections()) {
       SeededSource source(seed);
@@ -269,7 +269,7 @@ std::string counts(const std::vector<model::ClauseCount>& clauses) {
 
 // What certify says of a long program is what is said of it as a whole, of the engine and of a controller.
 TEST(InPieces, AgreeAsWithAllEventsAtHand) {
-  constexpr std::uint64_t seeds = test::random_cases(40);
+  const std::uint64_t seeds = test::random_cases(40);
   std::size_t agreed = 0;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed)
     for (const std::string_view section : sections()) {
@@ -336,7 +336,7 @@ TEST(InPieces, DoNotAgreeWithAnotherList) {
 // Programs of real length are divided: no guess about them is wrong, with compensation on from their beginning to their
 // end, in passes with start-up and cancel, and in space.
 TEST(InPieces, GuessRightInUsualPrograms) {
-  constexpr std::size_t blocks = test::kSanitized ? 500 : 3000;
+  const std::size_t blocks = test::effort(500, 3000);
   const corpus::Contour contour = corpus::make_contour({.blocks = blocks});
   const corpus::Flank flank = corpus::make_flank({.blocks = blocks});
   const corpus::Freeform freeform = corpus::make_freeform({.blocks = blocks});

@@ -20,8 +20,8 @@
 #include "fuzz/gen/generator.h"
 #include "fuzz/oracle/number.h"
 #include "fuzz/oracle/pairing.h"
+#include "tests/effort.h"
 #include "tests/harness/liar.h"
-#include "tests/sanitized.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -29,7 +29,7 @@ namespace {
 std::size_t number_of_cases() {
   const char* const wanted = std::getenv("TOOLCOMP_LIARS");  // NOLINT(concurrency-mt-unsafe): one thread
   if (wanted != nullptr) return std::strtoul(wanted, nullptr, 10);
-  return test::kSanitized ? 20 : 50;
+  return test::effort(20, 50);
 }
 
 constexpr std::size_t kLiars = 40;  // a section

@@ -21,7 +21,7 @@
 #include "spec/language/byte_source.h"
 #include "spec/language/event_map.h"
 #include "spec/language/setup_format.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -56,7 +56,7 @@ enum class Judged : std::uint8_t { here, controller };
 
 // Of two pieces; under sanitizers of one, made long by a comment.
 spec::Case long_case() {
-  const corpus::Freeform freeform = corpus::make_freeform({.blocks = test::kSanitized ? 700U : 9500U});
+  const corpus::Freeform freeform = corpus::make_freeform({.blocks = test::effort(700U, 9500U)});
   spec::Case c;
   c.id = "long";
   c.dialect = "klartext";

@@ -18,12 +18,12 @@
 #include "spec/language/number_text.h"
 #include "spec/language/parameter.h"
 #include "spec/language/setup_key.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 namespace toolcomp::fuzz {
 namespace {
 
-constexpr std::uint64_t kSeeds = test::kSanitized ? 4 : 40;
+const std::uint64_t kSeeds = test::effort(4, 40);
 constexpr std::uint32_t kWithoutPoint = 3401;  // the bit that is 1 where it is not given
 constexpr const char* kRefused = "refused";
 
@@ -165,7 +165,7 @@ TEST(Keys, AllHaveAnEffect) {
 // A fault that every key is seeded with by itself: a fast engine that ignores the key, which directed cases must find,
 // as they are generated, in so many executions. A key that nothing else chooses shows its clause too.
 TEST(Keys, IgnoredAreFound) {
-  constexpr std::uint64_t budget = test::kSanitized ? 500 : 2000;
+  const std::uint64_t budget = test::effort(500, 2000);
   // One of the events up to the first that differs rests on the key's clauses.
   const auto shows = [](const ModelRun& run, const Difference& difference, const spec::KeyInfo& key) {
     const auto count = static_cast<std::ptrdiff_t>(std::min(difference.event + 1, run.events.size()));

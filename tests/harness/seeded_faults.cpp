@@ -16,7 +16,7 @@
 #include "fuzz/faults/faults.h"
 #include "fuzz/gen/generator.h"
 #include "fuzz/oracle/trial.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -80,7 +80,7 @@ TEST(SeededFaults, NameClausesAndSections) {
 
 // No fault, no finding: what the faults are measured against.
 TEST(SeededFaults, TheSoundEngineAgrees) {
-  constexpr std::uint64_t cases = test::random_cases(2000);
+  const std::uint64_t cases = test::random_cases(2000);
   for (const std::string_view section : sections())
     for (std::uint64_t seed = 1; seed <= cases; ++seed) {
       const Trial t = try_case(fresh(section, seed));

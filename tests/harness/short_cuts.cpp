@@ -30,7 +30,7 @@
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
 #include "spec/language/text_buffer.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -109,7 +109,7 @@ std::string broken(const spec::Case& c, Fault fault = Fault::none) {
 }
 
 TEST(ShortCuts, GiveWhatTheGeneralPathGives) {
-  constexpr std::uint64_t cases = test::kSanitized ? 100 : 1500;
+  const std::uint64_t cases = test::effort(100, 1500);
   for (const std::string_view section : sections())
     if (section.starts_with("fanuc/"))
       for (std::uint64_t seed = 1; seed <= cases; ++seed) {
@@ -250,7 +250,7 @@ std::string contour_with_arcs(std::uint64_t seed, const ArcsUnder& under) {
 }
 
 TEST(ShortCuts, GiveWhatTheGeneralPathGivesAlongContours) {
-  constexpr std::uint64_t cases = test::kSanitized ? 100 : 2000;
+  const std::uint64_t cases = test::effort(100, 2000);
   for (const std::string_view setup : kSetups)
     for (const std::string_view compensation : {"B", "C"}) {
       spec::Case c;
@@ -290,7 +290,7 @@ spec::Case side_arcs(std::string_view setup, std::uint64_t seed) {
 }
 
 TEST(ShortCuts, GiveWhatTheGeneralPathGivesAlongArcsUnderToolSideCompensation) {
-  constexpr std::uint64_t cases = test::kSanitized ? 100 : 2000;
+  const std::uint64_t cases = test::effort(100, 2000);
   for (const std::string_view setup : kSideSetups) {
     std::uint64_t moves = 0;
     for (std::uint64_t seed = 1; seed <= cases; ++seed) {
@@ -413,7 +413,7 @@ std::string edge_contour(const EdgeSetup& setup, std::uint64_t seed) {
 }
 
 TEST(ShortCuts, GiveWhatTheGeneralPathGivesUnderLeadingEdgeOffset) {
-  constexpr std::uint64_t cases = test::kSanitized ? 100 : 1500;
+  const std::uint64_t cases = test::effort(100, 1500);
   for (const EdgeSetup& setup : kEdgeSetups) {
     spec::Case c;
     c.section = "fanuc/leading-edge-offset";
@@ -473,7 +473,7 @@ spec::Case axis_contour(std::string_view setup, std::uint64_t seed) {
 }
 
 TEST(ShortCuts, GiveWhatTheGeneralPathGivesWithoutCompensation) {
-  constexpr std::uint64_t cases = test::kSanitized ? 100 : 2000;
+  const std::uint64_t cases = test::effort(100, 2000);
   for (const std::string_view setup : kAxisSetups) {
     std::uint64_t moves = 0;
     for (std::uint64_t seed = 1; seed <= cases; ++seed) {
@@ -567,7 +567,7 @@ std::string tip_contour(std::string_view setup, std::uint64_t seed) {
 }
 
 TEST(ShortCuts, GiveWhatTheGeneralPathGivesUnderToolCenterPointControl) {
-  constexpr std::uint64_t cases = test::kSanitized ? 40 : 400;
+  const std::uint64_t cases = test::effort(40, 400);
   for (const std::string_view setup : kTipSetups) {
     spec::Case c;
     c.section = "fanuc/tool-posture-control";

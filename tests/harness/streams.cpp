@@ -16,13 +16,13 @@
 #include "fuzz/gen/generator.h"
 #include "fuzz/oracle/policy.h"
 #include "fuzz/oracle/trial.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 namespace toolcomp::fuzz {
 namespace {
 
 TEST(Streams, GiveTheVerdictOfTheWholeCase) {
-  constexpr std::uint64_t seeds = test::random_cases(300);
+  const std::uint64_t seeds = test::random_cases(300);
   for (std::uint64_t seed = 0; seed < seeds; ++seed)
     for (const std::string_view section : sections()) {
       SeededSource source(seed);

@@ -12,7 +12,7 @@
 #include "fuzz/gen/encode.h"
 #include "fuzz/gen/generator.h"
 #include "fuzz/oracle/trial.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -20,7 +20,7 @@ namespace {
 std::size_t generated_cases() {
   const char* const wanted = std::getenv("WIDTHS_CASES");
   if (wanted != nullptr) return std::strtoull(wanted, nullptr, 10);
-  return test::kSanitized ? 20 : 1000;
+  return test::effort(20, 1000);
 }
 
 // 90 of 1e-6 um, which is below 2^-19, and 10 of 1.
@@ -85,7 +85,7 @@ TEST_P(WidthsOf, AreNarrow) {
     // One program of seed 1 leans by Q with a lever of two metres: nine values of 1.6 um.
     EXPECT_LE(static_cast<double>(widths.unexpected()), 1e-4 * static_cast<double>(widths.count()));
   }
-  if (test::kSanitized) return;
+  if (!test::whole()) return;
   EXPECT_LT(widths.share_above_um(), 1e-3);
 }
 

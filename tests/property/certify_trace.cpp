@@ -14,7 +14,7 @@
 
 #include "certify/trace/matcher.h"
 #include "certify/trace/time_steps.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 namespace toolcomp::certify {
 namespace {

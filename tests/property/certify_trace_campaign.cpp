@@ -23,7 +23,7 @@
 #include "certify/trace/samples.h"
 #include "certify/trace/trace.h"
 #include "spec/language/setup_format.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -649,7 +649,7 @@ Outcome drift(Random& random, const Program& program) {
 // --- The campaign ----------------------------------------------------------------------------------------------------
 
 std::size_t recordings() {
-  constexpr std::size_t kUsual = test::kSanitized ? 40 : 200;
+  const std::size_t kUsual = test::effort(40, 200);
   const char* const asked = std::getenv("TOOLCOMP_TRACE_RECORDINGS");
   return asked == nullptr ? kUsual : std::stoul(asked);
 }

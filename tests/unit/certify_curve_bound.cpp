@@ -16,7 +16,7 @@
 #include "fuzz/oracle/control.h"
 #include "model/fanuc/engine.h"
 #include "spec/language/setup_format.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 namespace toolcomp::certify {
 namespace {

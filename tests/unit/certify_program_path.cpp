@@ -21,7 +21,7 @@
 #include "spec/language/event_names.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -511,7 +511,7 @@ std::size_t expect_samples(spec::Case c, const std::string& letters, double tole
 
 TEST(ProgramPath, DenseSamplesOfSixteenTurns) {
   const spec::Case c = make(kTable + kFive, "G90 G00 X100. Y0 Z50.\nG43.4 H1\nG01 X20. A30. C5760. F1000\nG49\n");
-  constexpr auto samples = static_cast<std::uint32_t>(test::random_cases(20'000));
+  const auto samples = static_cast<std::uint32_t>(test::random_cases(20'000));
   EXPECT_EQ(expect_samples(c, "XYZAC", 1, samples), samples - 1);
 }
 

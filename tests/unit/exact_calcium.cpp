@@ -7,14 +7,14 @@
 
 #include <cstdio>
 
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 #include "tests/support/exact/calcium_shim.h"
 #include "tests/support/exact/random_expression.h"
 
 namespace toolcomp::exact::test {
 namespace {
 
-constexpr int expressions = toolcomp::test::kSanitized ? 200 : 10'000;
+const int expressions = toolcomp::test::effort(200, 10'000);
 
 // Values are slots of the machine, one a step.
 class CalciumArithmetic {

@@ -10,13 +10,13 @@
 #include <random>
 
 #include "model/exact/interval.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 namespace toolcomp::exact {
 namespace {
 
 constexpr mpfr_prec_t precision = 256;
-constexpr int numbers = toolcomp::test::random_cases(100'000);
+const int numbers = static_cast<int>(toolcomp::test::random_cases(100'000));
 constexpr unsigned long full_turn = 360;
 
 class Random {

@@ -9,12 +9,12 @@
 #include <random>
 #include <utility>
 
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 namespace toolcomp::exact {
 namespace {
 
-constexpr int numbers = toolcomp::test::random_cases(200'000);
+const int numbers = static_cast<int>(toolcomp::test::random_cases(200'000));
 
 mpq_srcptr raw(const Rational& x) { return x.raw(); }
 

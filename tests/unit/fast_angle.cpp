@@ -7,7 +7,7 @@
 #include <random>
 
 #include "fast/geometry/angle.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 namespace toolcomp::fast {
 namespace {

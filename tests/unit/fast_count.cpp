@@ -10,7 +10,7 @@
 #include <random>
 
 #include "fast/arithmetic/wide.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 namespace toolcomp::fast {
 namespace {

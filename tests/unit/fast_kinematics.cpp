@@ -11,7 +11,7 @@
 #include <random>
 
 #include "spec/language/setup_format.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 namespace toolcomp::fast {
 namespace {

@@ -2,7 +2,7 @@
 // Inverse kinematics, choice of the pair and control point of the fast engine, beside the worked examples 1, 2, 9 and
 // 11 (golden/fanuc/corpus_examples_tool_center_point.cpp); forward after inverse on every type.
 #include "fast/kinematics/machine.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 #include <gtest/gtest.h>
 

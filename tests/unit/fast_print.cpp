@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Numbers of the fast engine as text: shortest, plain, and read back to the same double.
 #include "fast/basis/print.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // Sines and cosines of the fast engine against MPFR with 300 bits.
 #include "fast/arithmetic/extended_sine.h"
 #include "fast/arithmetic/trigonometry.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 #include <gtest/gtest.h>
 #include <mpfr.h>

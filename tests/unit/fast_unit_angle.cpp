@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Angles of unit vectors, against the arc tangents of the C library in long double.
 #include "fast/kinematics/unit_angle.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 #include <gtest/gtest.h>
 

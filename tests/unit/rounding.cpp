@@ -25,7 +25,7 @@
 #include "fast/heidenhain/program/tool_vector.h"
 #include "fast/kinematics/direction.h"
 #include "fuzz/oracle/policy.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 namespace {
 
@@ -173,7 +173,7 @@ TEST(BoundsOfRounding, DriftIsSeen) {
 class Measured : public testing::Test {
  protected:
   using Wide = long double;
-  static constexpr int kCases = static_cast<int>(toolcomp::test::random_cases(100'000));
+  static inline const int kCases = static_cast<int>(toolcomp::test::random_cases(100'000));
 
   void note(const std::string& name, Wide off) {
     double& worst = worst_[name];

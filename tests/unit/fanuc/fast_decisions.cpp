@@ -10,7 +10,7 @@
 #include "fast/arithmetic/wide.h"
 #include "fast/fanuc/leading_edge_offset/compensation_vector.h"
 #include "spec/language/setup_format.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 namespace toolcomp::fast {
 namespace {

@@ -23,7 +23,7 @@
 #include "spec/language/fanuc/program_files.h"
 #include "spec/language/fanuc/program_reader.h"
 #include "spec/language/setup_format.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 namespace toolcomp {
 namespace {
@@ -241,7 +241,7 @@ TEST(ProgramExpansion, CallsGiveTheEventsOfTheFlatProgram) {
   std::size_t events = 0;
   std::size_t in_files = 0;
   std::size_t ended = 0;
-  constexpr unsigned kPrograms = test::random_cases(60);
+  const auto kPrograms = static_cast<unsigned>(test::random_cases(60));
   for (unsigned seed = 1; seed <= kPrograms; ++seed) {
     SCOPED_TRACE(seed);
     fs::remove_all(folder);

@@ -20,7 +20,7 @@
 #include "spec/language/event_format.h"
 #include "spec/language/heidenhain/joined_program.h"
 #include "spec/language/setup_format.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 namespace toolcomp {
 namespace {
