@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a test runs under AddressSanitizer or ThreadSanitizer, where memory is reserved otherwise and exact numbers
+// Whether a test runs under AddressSanitizer, where memory is reserved otherwise and exact numbers
 // are slow.
 #pragma once
 
@@ -8,7 +8,7 @@
 namespace toolcomp::test {
 
 #if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#if __has_feature(address_sanitizer)
 #define TOOLCOMP_UNDER_SANITIZER
 #endif
 #endif
