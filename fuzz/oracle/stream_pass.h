@@ -152,14 +152,15 @@ class Pass {
  private:
   [[nodiscard]] bool done() const { return verdict_.difference || undecided_; }
 
-  // An epoch ends before the block of this line.
+  // An epoch ends before the block of this line. Decisions of the one that has ended may be about lines held from the
+  // one before it: their positions stay.
   void next_epoch(std::uint64_t line) {
     // By now the events of the epoch before are out, and with them the positions its decisions were made of.
     if (previous_) count(*previous_);
     previous_ = std::move(recorder_);
     recorder_ = model::Recorder(true);
     ++epoch_;
-    expected_.positions.forget_before(starts_.second);
+    expected_.positions.forget_before(starts_.first);
     starts_ = {starts_.second, line};
     begin_epoch();
   }
