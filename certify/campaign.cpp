@@ -302,7 +302,7 @@ class Campaign {
     if (c.setup.control == spec::Control::fanuc) r.without_effect = words_without_effect(c);
   }
 
-  // In pieces, as far as that is enough.
+  // While it is read, as far as that is enough.
   std::optional<CaseResult> judge_long(Work& work, const CaseInput& input, std::size_t index, Faults& faults) {
     const spec::Case& c = input.c;
     const bool here = work.subject.is_fast_engine();
@@ -312,8 +312,7 @@ class Campaign {
       if (!answer) return std::nullopt;
     }
     const std::optional<Beginning> beginning = beginning_of(c);
-    auto whole =
-        certify::judge_long(certificate_.subject, c, here ? nullptr : &*answer, beginning, options_.processors);
+    auto whole = certify::judge_long(certificate_.subject, c, here ? nullptr : &*answer, beginning);
     if (!whole) {
       const fuzz::ModelRun run = fuzz::run_model(c);
       if (!answer) answer = ask(work, c, index, faults);

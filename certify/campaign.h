@@ -40,7 +40,6 @@ struct CampaignOptions {
   std::size_t reply_limit = kReplyLimit;      // bytes of one answer
   std::string accepted_resolution;            // of the controller, where it is coarse (expect_fine_resolution)
   unsigned jobs = 1;                          // controllers side by side
-  unsigned processors = 1;                    // for one long program (certify/long_program.h)
   std::size_t shrink_runs = 2000;             // executions a finding may take
   std::string corpus = "none";                // version of the golden corpus, for the certificate
   std::string corpus_hash;                    // of its manifest

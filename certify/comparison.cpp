@@ -10,7 +10,6 @@
 #include "certify/subject.h"
 #include "formal/engine.h"
 #include "fuzz/oracle/trial.h"
-#include "fuzz/parallel/judge_in_pieces.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::certify {
@@ -33,12 +32,10 @@ std::uint64_t ask_laws(const input::Program& program, fuzz::Verdict& verdict) {
 
 }  // namespace
 
-Comparison compare_fast(const input::Program& program, unsigned jobs, void (*on_block)(std::uint64_t)) {
+Comparison compare_fast(const input::Program& program, void (*on_block)(std::uint64_t)) {
   Comparison result;
   try {
-    fuzz::JudgeInPieces pieces;
-    pieces.jobs = jobs;
-    result.verdict = fuzz::judge_in_pieces(program.text(), program.setup(), program.samples(), pieces, on_block);
+    result.verdict = fuzz::judge_stream(program.text(), program.setup(), program.samples(), on_block);
   } catch (const spec::InputError& error) {
     throw program.placed(error);
   }

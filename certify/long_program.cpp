@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "certify/event_fields.h"
+#include "fuzz/oracle/agreement.h"
 #include "fuzz/oracle/trial.h"
-#include "fuzz/parallel/judge_in_pieces.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::certify {
@@ -20,16 +20,14 @@ bool breaks_a_law(const Beginning& beginning) {
   return verdict.outcome == fuzz::Outcome::differs;
 }
 
+// The fields that agree are added to `fields`.
 std::optional<fuzz::Agreed> agreement(const Capabilities& capabilities, const spec::Case& c, const Answer* answer,
-                                      unsigned processors) {
-  fuzz::JudgeInPieces pieces;
-  pieces.jobs = processors;
-  if (answer == nullptr) return fuzz::agreement_in_pieces(c, pieces);
+                                      spec::FieldSet& fields) {
+  if (answer == nullptr) return fuzz::streamed_agreement(c);
   const auto* const events = std::get_if<TextEvents>(&answer->result);
   if (events == nullptr || answer->missing || !meets_minimum(capabilities)) return std::nullopt;
-  const auto fields = [](spec::FieldSet& to, const model::Event& event) { to.add(fields_of(event)); };
-  return fuzz::agreement_in_pieces(c, *events, {capabilities.fields, capabilities.resolution.numbers()}, fields,
-                                   pieces);
+  return fuzz::streamed_agreement(c, *events, {capabilities.fields, capabilities.resolution.numbers()},
+                                  [&fields](const model::Event& event) { fields.add(fields_of(event)); });
 }
 
 }  // namespace
@@ -58,11 +56,12 @@ std::optional<Beginning> beginning_of(const spec::Case& c) {
 }
 
 std::optional<LongProgram> judge_long(const Capabilities& capabilities, const spec::Case& c, const Answer* answer,
-                                      const std::optional<Beginning>& beginning, unsigned processors) {
+                                      const std::optional<Beginning>& beginning) {
   if (beginning && breaks_a_law(*beginning)) return std::nullopt;
-  auto agreed = agreement(capabilities, c, answer, processors);
+  spec::FieldSet fields;
+  auto agreed = agreement(capabilities, c, answer, fields);
   if (!agreed) return std::nullopt;
-  return LongProgram{judged(std::move(agreed->verdict)), std::move(agreed->counted.clauses), agreed->counted.fields};
+  return LongProgram{judged(std::move(agreed->verdict)), std::move(agreed->clauses), fields};
 }
 
 }  // namespace toolcomp::certify

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Long programs judged: in pieces side by side, in bounded memory.
+// Long programs judged while they are read, in bounded memory.
 #pragma once
 
 #include <cstddef>
@@ -31,10 +31,10 @@ struct LongProgram {
   spec::FieldSet fields;                    // of the model's events; of a controller's answer alone
 };
 
-// What judge_answer says where the events agree as they are (fuzz::agreement_in_pieces), with the laws asked of the
-// beginning alone; the same for any number of processors. Nothing in every other case: that is judged with all events
-// at hand. Without an answer the fast engine is judged, piece by piece in this process.
+// What judge_answer says where the events agree as they are (fuzz::streamed_agreement), with the laws asked of the
+// beginning alone. Nothing in every other case: that is judged with all events at hand. Without an answer the fast
+// engine is judged, which runs in this process.
 std::optional<LongProgram> judge_long(const Capabilities& capabilities, const spec::Case& c, const Answer* answer,
-                                      const std::optional<Beginning>& beginning, unsigned processors);
+                                      const std::optional<Beginning>& beginning);
 
 }  // namespace toolcomp::certify

@@ -10,7 +10,6 @@
 #include <iostream>
 #include <optional>
 #include <stdexcept>
-#include <thread>
 
 #include "certify/adapter.h"
 #include "certify/adapter_programs.h"
@@ -257,7 +256,6 @@ int certify(const CertifyOptions& options) {
   }
   campaign.sections = options.sections;
   campaign.seed = options.seed;
-  campaign.processors = options.jobs != 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());
   campaign.accepted_resolution = options.accept_resolution;
   campaign.timeout = std::chrono::milliseconds(std::llround(options.timeout * 1000));
   for (spec::Case& c : read_inputs(options)) campaign.cases.push_back({std::move(c), certify::Origin::own});

@@ -77,7 +77,7 @@ void CommandLine::take_manners(CLI::App* app) {
       ->group(kCommon);
   app->add_flag_callback(
          "-v,--verbose", [this] { loudness_ = Loudness::verbose; },
-         "Say what is read, engine, processors, seed and time spent, on standard error")
+         "Say what is read, engine, seed and time spent, on standard error")
       ->group(kCommon);
   choose(app, "--color", coloring_, kColorings,
          "When output has colors (default: auto, on a terminal; NO_COLOR and CLICOLOR_FORCE are honoured)")

@@ -57,9 +57,8 @@ int diff(const DiffOptions& options) {
   const Program program(options.program, options.setup, options.samples);
   if (options.specification) return diff_specification(program);
   const Progress progress("blocks");
-  const unsigned jobs = jobs_for(program, options.jobs);
-  detail(fmt::format("engines model and fast, {} processors", jobs));
-  const auto [verdict, questions] = certify::compare_fast(program, jobs, &Progress::count);
+  detail("engines model and fast");
+  const auto [verdict, questions] = certify::compare_fast(program, &Progress::count);
   if (verdict.difference) print_difference(*verdict.difference, program.place(verdict.difference->line));
   note(fmt::format(
       "{} values judged, {} questions of laws, {} decisions, {} near ties, {} ties; worst {:.3g} ulp, {:.3g} µm",

@@ -35,11 +35,6 @@ void take_samples(CLI::App* sub, std::optional<std::uint32_t>& samples) {
        spec::kMostSamples);
 }
 
-void take_jobs(CLI::App* sub, unsigned& jobs) {
-  take(sub, "--jobs", jobs, "N",
-       "Processors for one large program (default: all; run --engine fast: one); what comes out is the same", 1U, 256U);
-}
-
 void take_sections(CLI::App* sub, std::vector<std::string>& sections) {
   take(sub, "--section", sections, "SECTION", "Section, e.g. fanuc/leading-edge-offset (repeatable; default: all)")
       ->check([](const std::string& section) {

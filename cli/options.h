@@ -70,7 +70,6 @@ inline CLI::Option* choose(CLI::App* sub, const std::string& name, std::string& 
 // What several verbs take.
 void take_program(CLI::App* sub, std::string& program, std::string& setup);
 void take_samples(CLI::App* sub, std::optional<std::uint32_t>& samples);
-void take_jobs(CLI::App* sub, unsigned& jobs);
 void take_sections(CLI::App* sub, std::vector<std::string>& sections);
 void take_accept_resolution(CLI::App* sub, std::string& resolution);
 void take_timeout(CLI::App* sub, double& seconds, const std::string& text);

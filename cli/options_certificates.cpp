@@ -52,7 +52,6 @@ void define_certify(CommandLine& line) {
   take(sub, "--operator", options->operated, "NAME", "Who certifies, for the first page of the report");
   take(sub, "--serial", options->serial, "TEXT", "Serial number of the controller, for the first page of the report");
   take_samples(sub, options->samples);
-  take_jobs(sub, options->jobs);
 }
 
 void define_verify(CommandLine& line) {

@@ -32,7 +32,6 @@ void define_run(CommandLine& line) {
          "jsonl, csv, gcode (ends of blocks; with --samples, also inside), svg or html (a page to step through)");
   take(sub, "--digits", options->digits, "N", "Decimals the model prints", 0, kMostDigits);
   take_samples(sub, options->samples);
-  take_jobs(sub, options->jobs);
 }
 
 void define_diff(CommandLine& line) {
@@ -41,7 +40,6 @@ void define_diff(CommandLine& line) {
       line.verb("diff", "Model against fast; the first difference explained", [options] { return diff(*options); });
   take_program(sub, options->program, options->setup);
   take_samples(sub, options->samples);
-  take_jobs(sub, options->jobs);
   choose(sub, "--engines", options->specification, kPairs,
          "model,fast (default), or model,spec: the formal specification in its place");
 }

@@ -16,7 +16,6 @@ namespace toolcomp::cli {
 
 using certify::input::check_setup;
 using certify::input::expect_readable;
-using certify::input::jobs_for;
 using certify::input::Place;
 using certify::input::Program;
 using certify::input::read_setup;

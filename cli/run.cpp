@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "certify/path_svg.h"
-#include "cli/event_text.h"
 #include "cli/manners.h"
 #include "cli/program.h"
 #include "cli/program_page.h"
-#include "cli/run_in_pieces.h"
 #include "cli/verbs.h"
+#include "fast/basis/event.h"
 #include "fast/basis/print.h"
 #include "fuzz/oracle/control.h"
+#include "model/basis/event.h"
 #include "model/basis/number.h"
 #include "model/basis/print.h"
 #include "spec/language/event_format.h"
@@ -23,6 +23,25 @@
 
 namespace toolcomp::cli {
 namespace {
+
+// How numbers of the engines are written.
+class FastNumber {
+ public:
+  void operator()(spec::TextCursor& out, double value) const {
+    out.write([&](char* to) { return writer_.write(to, value); });
+  }
+
+ private:
+  mutable fast::NumberWriter writer_;
+};
+struct ModelNumber {
+  int digits = 15;
+  void operator()(spec::TextCursor& out, const exact::Real& value) const {
+    std::string number;
+    model::append_number(number, value, digits);
+    out.append(number);
+  }
+};
 
 template <class Number>
 void report(const Program& program, const RecentBlocks& recent, const spec::Event<Number>& alarm) {
@@ -247,12 +266,7 @@ int run(const RunOptions& options) {
   say_what_is_read(options.program, options.setup);
   if (options.format == Format::html) return print_page(options);
   const Program program(options.program, options.setup, options.samples);
-  // Of the fast engine printing alone can go beside it, and handing events over costs as much: only where it is asked.
-  const bool one = options.engine == EngineName::fast && options.jobs == 0;
-  const unsigned jobs = one ? 1 : jobs_for(program, options.jobs);
-  detail(std::string(options.engine == EngineName::fast ? "engine fast, double" : "engine model, exact") + "; " +
-         std::to_string(jobs) + (jobs == 1 ? " processor" : " processors"));
-  if (jobs > 1 && runs_in_pieces(options.format)) return run_in_pieces(program, options, jobs);
+  detail(options.engine == EngineName::fast ? "engine fast, double" : "engine model, exact");
   if (options.engine == EngineName::fast) {
     FastNumber append;
     if (options.format == Format::svg) {

@@ -30,7 +30,6 @@ struct RunOptions {
   Format format = Format::jsonl;
   int digits = 15;
   std::optional<std::uint32_t> samples;  // instead of those of a case
-  unsigned jobs = 0;                     // processors for one program; 0: all
 };
 int run(const RunOptions& options);
 
@@ -39,7 +38,6 @@ struct DiffOptions {
   std::string setup;
   std::optional<std::uint32_t> samples;
   bool specification = false;  // the formal specification against the model, instead of the fast engine
-  unsigned jobs = 0;           // processors for one program; 0: all
 };
 int diff(const DiffOptions& options);
 
@@ -81,7 +79,6 @@ struct CertifyOptions {
   bool widths = false;                   // print how wide what the policy granted is
   std::string accept_resolution;         // a decimal
   std::optional<std::uint32_t> samples;  // of the cases and programs named
-  unsigned jobs = 0;                     // processors for one long program; 0: all
   std::vector<std::string> adapters;     // folders of adapters
   bool packages = false;                 // print those the adapter needs, and nothing else
   std::vector<std::string> altered;      // "PARAMETER=VALUE": told to the judge of a recorded controller alone

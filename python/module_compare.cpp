@@ -64,11 +64,10 @@ std::string_view name(fuzz::Outcome outcome) {
   return "nothing judged";
 }
 
-std::string diff_fast(const std::shared_ptr<Program>& program, unsigned jobs) {
+std::string diff_fast(const std::shared_ptr<Program>& program) {
   // judge_stream() takes a plain function.
   static thread_local Interrupt interrupt;
-  const certify::Comparison comparison = certify::compare_fast(*program, certify::input::jobs_for(*program, jobs),
-                                                               [](std::uint64_t) { interrupt.check(); });
+  const certify::Comparison comparison = certify::compare_fast(*program, [](std::uint64_t) { interrupt.check(); });
   Json json = counts(comparison.verdict);
   json["outcome"] = name(comparison.verdict.outcome);
   json["why"] = comparison.verdict.undecided;
@@ -152,7 +151,7 @@ std::string clause(const std::string& id) {
 }  // namespace
 
 void bind_compare(py::module_& module) {
-  module.def("diff_fast", &diff_fast, py::arg("program"), py::arg("jobs"), Released());
+  module.def("diff_fast", &diff_fast, py::arg("program"), Released());
   module.def("diff_specification", &diff_specification, py::arg("program"), Released());
   module.def("explain", &explain, py::arg("program"), py::arg("block"), py::arg("digits"), Released());
   module.def("clause", &clause, py::arg("id"));

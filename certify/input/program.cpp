@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <system_error>
-#include <thread>
 
 #include "fuzz/oracle/control.h"
 #include "spec/language/byte_source.h"
@@ -152,15 +150,6 @@ spec::InputError Program::placed(const spec::InputError& error) const {
   if (error.line() == 0 || error.file() != spec::display_name(path_)) return error;
   const Place at = place(error.line(), error.column());
   return {at.file == path_ ? error.file() : at.file, at.line, at.column, error.message()};
-}
-
-unsigned jobs_for(const Program& program, unsigned asked) {
-  constexpr std::uintmax_t worth_it = 1 << 18;  // bytes
-  if (program.text().once || program.is_case()) return 1;
-  std::error_code unknown;
-  const std::uintmax_t size = fs::file_size(program.path(), unknown);
-  if (unknown || size < worth_it) return 1;
-  return asked != 0 ? asked : std::max(1U, std::thread::hardware_concurrency());
 }
 
 void expect_readable(const spec::Case& c, const std::string& name) {

@@ -57,10 +57,6 @@ spec::Setup read_setup_text(const std::string& text, const std::string& name, bo
 // What only the engines refuse: kinematics no machine could have, tables of deviations that are missing.
 void check_setup(const spec::Setup& setup);
 
-// How many processors work on this program: those asked for (0: all), one for a program that is small or can be read
-// only once.
-unsigned jobs_for(const Program& program, unsigned asked);
-
 // Throws spec::InputError where the program of a case holds what no control would read, up to where the run ends.
 // `name` stands for the program in it.
 void expect_readable(const spec::Case& c, const std::string& name);

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "model/basis/event.h"
-#include "model/exact/state.h"
 #include "model/geometry/vector.h"
 
 namespace toolcomp::fuzz {
@@ -15,8 +14,6 @@ namespace toolcomp::fuzz {
 struct ArcEnd {
   model::Vector head;
   model::Vector off;
-
-  void state(spec::StateWriter& out) const { out.all<2>(*this); }
 };
 
 // The arc that runs between the controller's own heads about the same centre: sweep and radii are well conditioned

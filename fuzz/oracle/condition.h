@@ -13,7 +13,6 @@
 #include "fuzz/oracle/space_scale.h"
 #include "fuzz/oracle/tool_plane.h"
 #include "model/basis/event.h"
-#include "model/exact/state.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::fuzz {
@@ -41,13 +40,6 @@ class Conditions {
                       double k = policy::kAnySection.coordinate);
   // The scale of window[0]; `window` holds the events from it to the next one that moves, or all that follow.
   Scale next(std::span<const model::Event> window);
-
-  void state(spec::StateWriter& out) const {
-    const auto& [index, k, linear, setup_scale, smallest_sine, programmed, position, vector, condition, heads, rest,
-                 point, shift, compensated, corners, tool_plane, facts, pose, of_move, space] = *this;
-    out(programmed, position, vector, condition, heads, rest, point, shift, compensated, corners, tool_plane, pose,
-        of_move, space);
-  }
 
  private:
   using Vector = Space;

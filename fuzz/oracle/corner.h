@@ -10,7 +10,6 @@
 #include "fuzz/oracle/radius_arc.h"
 #include "model/basis/event.h"
 #include "spec/language/setup.h"
-#include "spec/language/state_writer.h"
 
 namespace toolcomp::fuzz {
 
@@ -47,11 +46,6 @@ class Corners {
                              Heads* heads = nullptr) const;
   // Takes the movement of `event`, which starts at `from`.
   void follow(const model::Event& event, const View& view, const Programmed& from);
-
-  void state(spec::StateWriter& out) const {
-    const auto& [before] = *this;
-    out(before);
-  }
 
  private:
   static std::optional<FlatPiece> piece(const model::Event& event, const View& view, const Programmed& from,

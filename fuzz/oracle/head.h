@@ -6,8 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include "spec/language/state_writer.h"
-
 namespace toolcomp::fuzz {
 
 // A vector of a plane, in setup units; in double: an estimate.
@@ -32,8 +30,6 @@ struct FlatPiece {
   Flat way{};  // from its start to its end
   std::optional<Flat> center;
   double weight = 1;  // error of its direction over the error of what it is made of
-
-  void state(spec::StateWriter& out) const { out.all<4>(*this); }
 };
 
 // One of the two things that place a head: how far it is from a line or a circle.
@@ -67,8 +63,6 @@ struct HeadBand {
   Space normal{};        // unit
   double width = 0;      // that a head may be off in it, less the policy's k
   double curvature = 0;  // of a circle: for each square of what it is off at all
-
-  void state(spec::StateWriter& out) const { out.all<3>(*this); }
 };
 // Of a condition; `normal`: its own in space.
 HeadBand band_of(const HeadCondition& condition, const Space& normal);
@@ -76,8 +70,6 @@ struct Head {
   std::array<HeadBand, 2> bands;
   HeadBand across;   // of the plane in which they lie
   double reach = 0;  // that it may be off at all, less k
-
-  void state(spec::StateWriter& out) const { out.all<3>(*this); }
 };
 
 // Those that a vector of this length may have been placed by; a condition of weight w and error e per unit of its

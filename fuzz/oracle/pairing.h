@@ -11,7 +11,6 @@
 #include "fuzz/oracle/compare.h"
 #include "fuzz/oracle/condition.h"
 #include "fuzz/oracle/pose_fit.h"
-#include "model/exact/state.h"
 
 namespace toolcomp::fuzz {
 
@@ -32,16 +31,8 @@ class Pairing {
   // in order, none behind a difference.
   std::optional<Difference> next(std::span<const model::Event> window, const spec::Event<Number>& actual, Tally& tally);
 
-  // An event that is compared with none: what follows is judged as behind it.
-  void pass_by(std::span<const model::Event> window) { static_cast<void>(conditions_.next(window)); }
-
   // Of the controller's rotary positions.
   [[nodiscard]] const std::vector<Deviation>& deviations() const { return fit_.deviations(); }
-
-  void state(spec::StateWriter& out) const {
-    const auto& [rules, conditions, fit, index, head, placed] = *this;
-    out(conditions, fit, head, placed);
-  }
 
  private:
   [[nodiscard]] std::optional<model::Vector> shift(const model::Event& sample, const Scale& scale) const;
@@ -56,7 +47,6 @@ class Pairing {
     std::array<Number, 3> actual{};
 
     [[nodiscard]] ArcEnd end() const;
-    void state(spec::StateWriter& out) const { out.all<2>(*this); }
   };
   [[nodiscard]] std::optional<Heads> heads(const model::Event& expected, const spec::Event<Number>& actual) const;
 

@@ -11,9 +11,7 @@
 #include "fuzz/oracle/program_facts.h"
 #include "fuzz/oracle/rotary.h"
 #include "model/basis/event.h"
-#include "model/exact/state.h"
 #include "spec/language/setup.h"
-#include "spec/language/state_writer.h"
 
 namespace toolcomp::fuzz {
 
@@ -23,8 +21,6 @@ struct PoseScale {
   std::array<double, spec::kMaxAxes> rotary{};  // degrees, beyond an ulp of the value
   double tip = 0;                               // of every X Y Z
   bool hardly = false;  // doubles hardly know the plane of the direction, or an arc by R (policy::kHardly)
-
-  void state(spec::StateWriter& out) const { out.all<4>(*this); }
 };
 
 // The angles of the tool-side and the work-side axis: positions of events plus the machine positions of their zeros, as
@@ -36,11 +32,6 @@ class RotaryZeros {
   void follow(const model::Event& event);
   [[nodiscard]] double tool() const { return zero_[0]; }
   [[nodiscard]] double work() const { return zero_[1]; }
-
-  void state(spec::StateWriter& out) const {
-    const auto& [counts, axis, zero] = *this;
-    out(zero);
-  }
 
  private:
   bool counts_;
@@ -64,11 +55,6 @@ class PoseErrors {
   // in radians (radius_arc.h).
   PoseScale next(std::span<const model::Event> window, double turned = 0);
 
-  void state(spec::StateWriter& out) const {
-    const auto& [axes, machine, zeros, index, facts, before, axes_before] = *this;
-    out(zeros, before, axes_before);
-  }
-
  private:
   // At the end of a move.
   struct End {
@@ -77,8 +63,6 @@ class PoseErrors {
     Space point{};
     double error = 0;  // of the direction
     bool hardly = false;
-
-    void state(spec::StateWriter& out) const { out.all<5>(*this); }
   };
   // What a direction carries beyond an ulp of 1, as a factor.
   struct Lean {
@@ -122,11 +106,6 @@ class PositionErrors {
   [[nodiscard]] double deviation(std::uint64_t line) const;
   // Lines before this one are not asked for any more.
   void forget_before(std::uint64_t line) { of_line_.erase(of_line_.begin(), of_line_.lower_bound(line)); }
-
-  void state(spec::StateWriter& out) const {
-    const auto& [machine, zeros, before, of_line, deviations] = *this;
-    out(zeros, before, of_line);
-  }
 
  private:
   std::optional<RotaryMachine> machine_;

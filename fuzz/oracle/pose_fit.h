@@ -11,7 +11,6 @@
 #include "fuzz/oracle/compare.h"
 #include "fuzz/oracle/program_facts.h"
 #include "fuzz/oracle/rotary.h"
-#include "model/exact/state.h"
 #include "model/kinematics/machine.h"
 
 namespace toolcomp::fuzz {
@@ -57,13 +56,6 @@ class PoseFit {
   // Of the controller's rotary positions, where they lie farther off than they are rounded.
   [[nodiscard]] const std::vector<Deviation>& deviations() const { return deviations_; }
 
-  // Without the list of deviations, which is told and not asked here.
-  void state(spec::StateWriter& out) const {
-    const auto& [rules, facts, index, estimate, machine, mechanical, in_workpiece, active, frozen, own_frozen, zero,
-                 before, direction, axes_before, own_before, carried, deviations] = *this;
-    out(active, frozen, own_frozen, zero, before, direction, axes_before, own_before, carried);
-  }
-
  private:
   using Rational = exact::Rational;
   // Mechanical angles of both rotary axes, in degrees; 0 of a hypothetical one.
@@ -71,15 +63,11 @@ class PoseFit {
     Rational tool;
     Rational work;
     [[nodiscard]] model::Pose pose() const { return {tool, work}; }
-
-    void state(spec::StateWriter& out) const { out.all<2>(*this); }
   };
   // What an axis is off by, degrees.
   struct Off {
     double tool = 0;
     double work = 0;
-
-    void state(spec::StateWriter& out) const { out.all<2>(*this); }
   };
   struct View;  // one event from both positions
 

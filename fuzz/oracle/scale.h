@@ -4,7 +4,6 @@
 
 #include "fuzz/oracle/head.h"
 #include "fuzz/oracle/pose_error.h"
-#include "spec/language/state_writer.h"
 
 namespace toolcomp::fuzz {
 
@@ -27,8 +26,6 @@ struct Scale {
   double carried =
       0;             // what X Y Z are off by that were once those of axes under tool center point control; not times k
   PoseScale pose{};  // what the rotary positions add; 3D compensation: what its directions add to every X Y Z
-
-  void state(spec::StateWriter& out) const { out.all<14>(*this); }
 };
 
 }  // namespace toolcomp::fuzz

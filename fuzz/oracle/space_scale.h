@@ -13,7 +13,6 @@
 #include "fuzz/oracle/scale.h"
 #include "model/basis/event.h"
 #include "spec/language/setup.h"
-#include "spec/language/state_writer.h"
 
 namespace toolcomp::fuzz {
 
@@ -39,11 +38,6 @@ class SpaceScales {
   void units(spec::Units units);
   // The scale of window[0]; `window` as for Conditions::next.
   Scale next(std::span<const model::Event> window);
-
-  void state(spec::StateWriter& out) const {
-    const auto& [index, to_program, radius, tables, before, former] = *this;
-    out(to_program, before, former);
-  }
 
  private:
   [[nodiscard]] double face(const model::Event& event) const;

@@ -4,7 +4,6 @@
 
 #include <memory>
 
-#include "fuzz/oracle/epoch.h"
 #include "fuzz/oracle/stream_pass.h"
 
 namespace toolcomp::fuzz {
@@ -48,8 +47,9 @@ Verdict judge_passes(const StreamedProgram& program, const spec::Setup& setup, s
     std::optional<stream::Pass<Control>> pass;
     Verdict v;
     try {
-      pass.emplace(Rules(setup, {}, {}), setup, samples, task.choices, kBlocksInEpoch,
-                   [&](fast::EventSink& sink) { return Control::fast(setup, sink, samples); });
+      pass.emplace(
+          Rules(setup, {}, {}), setup, samples, task.choices,
+          [&](const stream::Expected& /*expected*/, auto& actual) { return Control::fast(setup, actual, samples); });
       v = run(*pass, Control::reader(program.open(), setup, program.name, program.called_program),
               first ? nullptr : on_block);
     } catch (const std::exception&) {

@@ -25,6 +25,8 @@ namespace toolcomp::fuzz::stream {
 using exact::Sign;
 using spec::EventKind;
 
+// Blocks between two fresh recorders, so that the decisions kept stay bounded.
+inline constexpr std::uint64_t kBlocksInEpoch = 256;
 // Moves an engine may be behind the other, and those needed to know the next movement (both look-aheads are shorter).
 inline constexpr std::size_t kMaxLag = 64;
 inline constexpr std::size_t kWindow = 8;
@@ -51,27 +53,16 @@ class Waiting {
 
   void push_back(const Event& event) {
     // Those that are gone are half of them at least.
-    if (first_ >= kGone && first_ >= size()) forget_gone();
+    if (first_ >= kGone && first_ >= size()) {
+      events_.erase(events_.begin(), events_.begin() + static_cast<std::ptrdiff_t>(first_));
+      first_ = 0;
+    }
     events_.push_back(event);
   }
   void pop_front() { ++first_; }
-  template <class Is>
-  void erase_if(const Is& is) {
-    forget_gone();
-    std::erase_if(events_, is);
-  }
-
-  void state(spec::StateWriter& out) const {
-    out(size());
-    for (const Event& event : all()) out(event);
-  }
 
  private:
   static constexpr std::size_t kGone = 16;
-  void forget_gone() {
-    events_.erase(events_.begin(), events_.begin() + static_cast<std::ptrdiff_t>(first_));
-    first_ = 0;
-  }
   std::vector<Event> events_;
   std::size_t first_ = 0;
 };
@@ -92,23 +83,24 @@ struct Actual final : spec::EventSink<Number> {
   Waiting<spec::Event<Number>> events;
 };
 
-// One pass. Decisions of the current and the previous epoch are kept. `Fast`: the fast engine, or what it, or a
-// controller, has given; `Number`: double, or exact::Rational of a controller.
+// One pass. Decisions of the current and the previous epoch are kept. `Fast`: the fast engine, or what a controller has
+// given; `Number`: double, or exact::Rational of a controller.
 template <class Control, class Fast = typename Control::Fast, class Number = double>
 class Pass {
  public:
-  // `fast`: makes it, given where its events go. `epoch`: blocks between two fresh recorders.
+  // `fast`: makes it, given what the model has given and where its own events go. `agreed`: called with every event
+  // that has agreed.
   template <class MakeFast>
-  Pass(Rules rules, const spec::Setup& setup, std::uint32_t samples, const Choices& choices, std::uint64_t epoch,
-       const MakeFast& fast)
+  Pass(Rules rules, const spec::Setup& setup, std::uint32_t samples, const Choices& choices, const MakeFast& fast,
+       std::function<void(const model::Event&)> agreed = {})
       : rules_(std::move(rules)),
         pairing_(rules_, setup, &facts_),
         choices_(choices),
-        blocks_in_epoch_(epoch),
         per_move_(std::max<std::size_t>(samples, 1)),
         expected_(setup),
         model_(Control::model(setup, recorder_, expected_, samples)),
-        fast_(fast(actual_)) {
+        fast_(fast(expected_, actual_)),
+        agreed_(std::move(agreed)) {
     begin_epoch();
   }
   Pass(const Pass&) = delete;
@@ -118,8 +110,13 @@ class Pass {
   [[nodiscard]] bool over() const { return done() || (model_.stopped() && fast_.stopped()); }
 
   void block(const typename Control::Block& block) {
-    if (blocks_ != 0 && blocks_ % blocks_in_epoch_ == 0) next_epoch(block.line);
-    take(block);
+    if (blocks_ != 0 && blocks_ % kBlocksInEpoch == 0) next_epoch(block.line);
+    facts_.read(block);
+    if (facts_.units()) rules_.units(*facts_.units());
+    model_.block(block);
+    fast_.block(block);
+    ++blocks_;
+    compare_pairs(std::min(kWindow * per_move_, kMostHeld));
   }
   // No block follows: the verdict.
   Verdict end() {
@@ -131,11 +128,7 @@ class Pass {
     }
     if (previous_) count(*previous_);
     count(recorder_);
-    return verdict();
-  }
-  // Up to here.
-  Verdict verdict() {
-    fuzz::take(verdict_, tally_);
+    take(verdict_, tally_);
     if (verdict_.difference)
       verdict_.outcome = Outcome::differs;
     else if (undecided_)
@@ -153,24 +146,21 @@ class Pass {
     return result;
   }
   [[nodiscard]] std::size_t events() const { return compared_; }
+  // How often each was reached; after the end.
+  [[nodiscard]] const std::vector<model::ClauseCount>& clauses() const { return clauses_; }
 
- protected:
+ private:
   [[nodiscard]] bool done() const { return verdict_.difference || undecided_; }
 
-  void take(const typename Control::Block& block) {
-    facts_.read(block);
-    if (facts_.units()) rules_.units(*facts_.units());
-    model_.block(block);
-    fast_.block(block);
-    ++blocks_;
-    compare_pairs(window());
-  }
-  [[nodiscard]] std::size_t window() const { return std::min(kWindow * per_move_, kMostHeld); }
-
-  // An epoch ends before the block of this line.
+  // An epoch ends before the block of this line. Decisions of the one that has ended may be about lines held from the
+  // one before it: their positions stay.
   void next_epoch(std::uint64_t line) {
-    end_epoch();
-    expected_.positions.forget_before(starts_.second);
+    // By now the events of the epoch before are out, and with them the positions its decisions were made of.
+    if (previous_) count(*previous_);
+    previous_ = std::move(recorder_);
+    recorder_ = model::Recorder(true);
+    ++epoch_;
+    expected_.positions.forget_before(starts_.first);
     starts_ = {starts_.second, line};
     begin_epoch();
   }
@@ -178,13 +168,6 @@ class Pass {
   void begin_epoch() {
     for (auto it = choices_.lower_bound({epoch_, 0}); it != choices_.end() && it->first.epoch == epoch_; ++it)
       recorder_.force(it->first.index, it->second);
-  }
-  void end_epoch() {
-    // By now the events of the epoch before are out, and with them the positions its decisions were made of.
-    if (previous_) count(*previous_);
-    previous_ = std::move(recorder_);
-    recorder_ = model::Recorder(true);
-    ++epoch_;
   }
 
   void count(const model::Recorder& recorder) {
@@ -225,14 +208,6 @@ class Pass {
     if (expected_.events.size() > actual_.events.size() + kMaxLag * per_move_ ||
         actual_.events.size() > expected_.events.size() + kMaxLag * per_move_)
       leftovers();
-  }
-
-  // Events of the model before this line are compared with none.
-  void pass_by(std::uint64_t line) {
-    while (expected_.events.size() > window() && expected_.events.front().line < line) {
-      pairing_.pass_by(look_ahead());
-      expected_.events.pop_front();
-    }
   }
 
   // The event to compare and the moves behind it; samples between them say nothing about the next movement.
@@ -279,7 +254,6 @@ class Pass {
   ProgramFacts facts_;
   Pairing<Number> pairing_;
   const Choices& choices_;
-  std::uint64_t blocks_in_epoch_;
   std::uint64_t blocks_ = 0;
   std::size_t per_move_;  // events of a move with its samples
   model::Recorder recorder_{true};
@@ -290,10 +264,10 @@ class Pass {
   Actual<Number> actual_;
   typename Control::Model model_;
   Fast fast_;
+  std::function<void(const model::Event&)> agreed_;
   std::vector<model::Event> window_;
   Tally tally_;
   std::vector<model::ClauseCount> clauses_{spec::kClauseCount};  // of the recorders counted
-  std::function<void(const model::Event&)> agreed_;              // called with every event that has agreed
   std::size_t compared_ = 0;
   bool undecided_ = false;
   Verdict verdict_;

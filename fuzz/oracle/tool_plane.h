@@ -9,7 +9,6 @@
 
 #include "fuzz/oracle/corner.h"
 #include "fuzz/oracle/head.h"
-#include "spec/language/state_writer.h"
 
 namespace toolcomp::fuzz {
 
@@ -35,11 +34,6 @@ class ToolPlane {
   // Takes the movement of `event`, which starts at `from`.
   void follow(const model::Event& event, const View& view, const Programmed& from);
 
-  void state(spec::StateWriter& out) const {
-    const auto& [before] = *this;
-    out(before);
-  }
-
  private:
   // A movement in space, programmed.
   struct Piece {
@@ -49,8 +43,6 @@ class ToolPlane {
     std::optional<Space> center;  // of an arc; its coordinate across the arc's plane is not set
     std::size_t across = 0;       // that coordinate
     double weight = 1;            // of what leads out of the centre
-
-    void state(spec::StateWriter& out) const { out.all<6>(*this); }
   };
   static std::optional<Piece> piece(const model::Event& event, const View& view, const Programmed& from);
 

@@ -9,7 +9,6 @@
 
 #include "model/basis/event.h"
 #include "model/basis/recorder.h"
-#include "model/exact/state.h"
 #include "spec/language/name.h"
 
 namespace toolcomp::model {
@@ -25,8 +24,6 @@ class Alarm : public std::exception {
   std::uint64_t line = 0;  // of the block at fault; 0: the block being interpreted
   std::optional<std::uint64_t> n;
   std::shared_ptr<const Event> unmade;  // its move, where those before it were made with it
-
-  void state(spec::StateWriter& out) const { out(number, message, line, n, unmade); }
 };
 
 // The specification leaves open what a block does: the run ends with an `undecided` event that names the clause.

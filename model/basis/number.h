@@ -4,7 +4,6 @@
 
 #include "model/basis/recorder.h"
 #include "model/exact/real.h"
-#include "model/exact/state.h"
 #include "spec/language/decimal.h"
 #include "spec/language/setup.h"
 
@@ -30,11 +29,6 @@ class Numbers {
   [[nodiscard]] Rational angle(const spec::Decimal& word) const;
   // F: never least increments.
   [[nodiscard]] Rational feed(const spec::Decimal& word) const;
-
-  void state(spec::StateWriter& out) const {
-    const auto& [recorder, setup, program, as_written, increment] = *this;
-    out(program);
-  }
 
  private:
   [[nodiscard]] Rational counted(const spec::Decimal& word, const Rational& increment) const;

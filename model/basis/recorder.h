@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "model/exact/real.h"
-#include "model/exact/state.h"
 #include "spec/clauses/clauses.h"
 #include "spec/language/event.h"
 
@@ -35,8 +34,6 @@ struct Decision {
   Real quantity;
   Real scale;
   Sign outcome{};  // as taken, forced or not
-
-  void state(spec::StateWriter& out) const { out.all<5>(*this); }
 };
 
 // Records clauses and decisions of one run and can force outcomes (verdicts: "what if this near tie went the other
@@ -75,12 +72,6 @@ class Recorder {
   [[nodiscard]] const std::vector<ClauseCount>& counts() const { return counts_; }
   [[nodiscard]] const std::vector<Decision>& decisions() const { return decisions_; }
   [[nodiscard]] std::size_t decision_count() const { return next_; }
-
-  // Without the counts of clauses and decisions, which decide nothing, and forced outcomes, which are given.
-  void state(spec::StateWriter& out) const {
-    const auto& [counts, decisions, forced, applied, latest, line, next, keep] = *this;
-    out(decisions, applied, latest, line);
-  }
 
  private:
   ClauseCount& applied(Clause clause);

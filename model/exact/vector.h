@@ -3,7 +3,6 @@
 #pragma once
 
 #include "model/exact/real.h"
-#include "model/exact/state.h"
 
 namespace toolcomp::exact {
 
@@ -12,8 +11,6 @@ struct Vector3 {
   Real x;
   Real y;
   Real z;
-
-  void state(spec::StateWriter& out) const { out.all<3>(*this); }
 };
 
 inline Vector3 operator-(const Vector3& a) { return {-a.x, -a.y, -a.z}; }

@@ -41,7 +41,6 @@ struct Engine::State {
   template <class Work>
   void guarded(const Work& work);
   void fail(const Alarm& alarm);
-  void state(spec::StateWriter& out) const { out(memory, maker, compensation, reporter, stopped); }
 
   spec::Setup setup;
   Recorder& recorder;
@@ -66,7 +65,6 @@ void Engine::end() {
 }
 
 bool Engine::stopped() const { return state_->stopped; }
-void Engine::state(spec::StateWriter& out) const { out(*state_); }
 
 template <class Work>
 void Engine::State::guarded(const Work& work) {

@@ -10,7 +10,6 @@
 #include "model/fanuc/program/motion.h"
 #include "spec/language/fanuc/block.h"
 #include "spec/language/setup.h"
-#include "spec/language/state_writer.h"
 
 namespace toolcomp::model {
 
@@ -31,9 +30,6 @@ class Engine {
   // The end of the text: flushes the look-ahead.
   void end();
   [[nodiscard]] bool stopped() const;
-  // Everything that what comes depends on, but the setup: two engines with equal states go on alike. Under tool center
-  // point control no two states are equal.
-  void state(spec::StateWriter& out) const;
 
  private:
   struct State;

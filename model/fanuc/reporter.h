@@ -9,7 +9,6 @@
 #include "model/basis/alarm.h"
 #include "model/basis/event.h"
 #include "model/basis/recorder.h"
-#include "model/exact/state.h"
 #include "model/fanuc/program/step.h"
 #include "model/fanuc/tool_center_point_control/tip_moves.h"
 #include "spec/language/fanuc/block.h"
@@ -34,12 +33,6 @@ class Reporter {
   // The specification leaves it open; or the decision asked last could not be certified.
   void report(const LeftOpen& open);
   void report_undecided();
-
-  // Between blocks: no step is on its way out.
-  void state(spec::StateWriter& out) const {
-    const auto& [axes, recorder, sink, motions, tip_moves, step, line, n] = *this;
-    out(tip_moves, line, n);
-  }
 
  private:
   [[nodiscard]] Event event_of_step(spec::EventKind kind) const;

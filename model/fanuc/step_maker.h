@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "model/basis/recorder.h"
-#include "model/exact/state.h"
 #include "model/fanuc/program/interpreter.h"
 #include "model/fanuc/program/offset_memory.h"
 #include "model/fanuc/program/pipeline.h"
@@ -37,12 +36,6 @@ class StepMaker {
   Step make(const spec::Block& block, Pipeline& stages);
   // What positions are counted from now.
   [[nodiscard]] const SharedZero& zero() const { return interpreter_.work().zero(); }
-
-  void state(spec::StateWriter& out) const {
-    const auto& [axes, with_motion, recorder, memory, interpreter, tip_control, length, tool_offset, measurement,
-                 pending_write] = *this;
-    out(interpreter, tip_control, length, tool_offset, pending_write);
-  }
 
  private:
   // A block in the making.

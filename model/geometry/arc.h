@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "model/basis/recorder.h"
-#include "model/exact/state.h"
 #include "model/geometry/plane.h"
 #include "spec/language/event.h"
 
@@ -16,8 +15,6 @@ struct ArcGeometry {
   PlanePoint center;
   std::optional<Real> sweep;                    // degrees, over 0 up to 360; absent where an end lies in the centre
   std::optional<std::pair<Real, Real>> radius;  // at start and end, where they differ
-
-  void state(spec::StateWriter& out) const { out.all<3>(*this); }
 };
 
 // `travel`: from start to end. It is asked for, not the end: where the start is irrational it may still be rational.

@@ -51,11 +51,6 @@ struct Engine::State {
   template <class Work>
   void guarded(const Work& work);
   void fail(const Alarm& alarm);
-  void state(spec::StateWriter& out) const {
-    const auto& [setup_of, recorder_of, sink_of, interpreter_of, checks_of, face_of, peripheral_of, current_of,
-                 stopped_of] = *this;
-    out(interpreter_of, face_of, peripheral_of, current_of.line, current_of.n, stopped_of);
-  }
 
   spec::Setup setup;
   Recorder& recorder;
@@ -81,7 +76,6 @@ void Engine::end() {
 }
 
 bool Engine::stopped() const { return state_->stopped; }
-void Engine::state(spec::StateWriter& out) const { out(*state_); }
 
 template <class Work>
 void Engine::State::guarded(const Work& work) {

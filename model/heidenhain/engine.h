@@ -8,7 +8,6 @@
 #include "model/basis/recorder.h"
 #include "spec/language/heidenhain/klartext_block.h"
 #include "spec/language/setup.h"
-#include "spec/language/state_writer.h"
 
 namespace toolcomp::model::klartext {
 
@@ -26,8 +25,6 @@ class Engine {
   // The end of the text: what is held goes out.
   void end();
   [[nodiscard]] bool stopped() const;
-  // Everything that what comes depends on, but the setup: two engines with equal states go on alike.
-  void state(spec::StateWriter& out) const;
 
  private:
   struct State;

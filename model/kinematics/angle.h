@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "model/exact/real.h"
-#include "model/exact/state.h"
 
 namespace toolcomp::model {
 
@@ -58,19 +57,12 @@ class Angle {
   friend Angle operator+(const Angle& a, const Angle& b);
   friend Angle operator-(const Angle& a, const Angle& b);
 
-  void state(spec::StateWriter& out) const {
-    const auto& [rational, rest] = *this;
-    out(rational, rest);
-  }
-
  private:
   // cos and sin of an angle in (-180, 180] that is not known to be rational; 180 itself where it was not recognised.
   struct Rest {
     Real cosine;
     Real sine;
     std::optional<Real> degrees;  // where it was given
-
-    void state(spec::StateWriter& out) const { out.all<3>(*this); }
   };
   friend Real order(const Angle& a, const Angle& b);
 

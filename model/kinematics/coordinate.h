@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "model/exact/real.h"
-#include "model/exact/state.h"
 #include "model/kinematics/angle.h"
 #include "spec/language/axes.h"
 
@@ -57,11 +56,6 @@ class Coordinate {
   friend bool operator==(const Coordinate& a, const Coordinate& b) {
     if (a.turned_ || b.turned_) return a.angle() == b.angle();
     return (a - b).value().sign() == exact::Sign::zero;
-  }
-
-  void state(spec::StateWriter& out) const {
-    const auto& [rational, rest, turned] = *this;
-    out(rational, rest, turned);
   }
 
  private:

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "model/exact/state.h"
 #include "model/geometry/vector.h"
 #include "model/kinematics/angle.h"
 #include "model/kinematics/coordinate.h"
@@ -20,8 +19,6 @@ namespace toolcomp::model {
 struct Pose {
   Angle tool;
   Angle work;
-
-  void state(spec::StateWriter& out) const { out.all<2>(*this); }
 };
 // Certified; throws exact::Undecided.
 inline bool operator==(const Pose& a, const Pose& b) { return a.tool == b.tool && a.work == b.work; }
@@ -31,8 +28,6 @@ struct SingularPosture {
   int side = 1;      // 1: along the work-side axis, -1: against it
   Vector direction;  // that axis or its opposite, in the table frame; unit
   Angle tool;        // the tool-side position, principal
-
-  void state(spec::StateWriter& out) const { out.all<3>(*this); }
 };
 
 // Directions are from the tip to the holder, in the table frame, that is as seen from the table at its zero pose.
@@ -57,8 +52,6 @@ class Machine {
     Vector table_step;  // 19703-19705: first to second table axis
     Vector head;        // 19709-19711: tool axis to its rotary axis
     Vector head_step;   // 19712-19714: second to first rotary axis of a head
-
-    void state(spec::StateWriter& out) const { out.all<4>(*this); }
   };
   [[nodiscard]] const Arms& arms() const { return arms_; }
   // Tip to holder with both axes at 0; unit.
@@ -91,8 +84,6 @@ class Machine {
     Real a;
     Real b;
     Real swing2;  // a^2 + b^2
-
-    void state(spec::StateWriter& out) const { out.all<7>(*this); }
   };
   [[nodiscard]] const Heights& heights() const { return heights_; }
   // The tool-side axis changes the height at all. Without it no direction has computed angles.
@@ -104,12 +95,6 @@ class Machine {
   [[nodiscard]] const std::vector<SingularPosture>& singular_postures() const { return singular_; }
   // The one of a side, null if it does not exist.
   [[nodiscard]] const SingularPosture* singular(int side) const;
-
-  void state(spec::StateWriter& out) const {
-    const auto& [mechanism, holder_offset, arms_of, programs_in_workpiece, heights, can_tilt, is_orthogonal, singular] =
-        *this;
-    out(mechanism, arms_of, heights, singular);
-  }
 
  private:
   friend class ProgrammingFrame;

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "model/exact/state.h"
 #include "model/geometry/vector.h"
 #include "model/kinematics/turn.h"
 #include "spec/language/setup.h"
@@ -22,8 +21,6 @@ struct Mechanism {
   // In the order they act on the reference direction: with 19680 the tool-side axis, then the work-side axis.
   std::vector<Turn> turns;
   Vector reference{0, 0, 1};  // tip to holder with the axes at 0; unit
-
-  void state(spec::StateWriter& out) const { out.all<3>(*this); }
 };
 
 // Throws spec::InputError naming the parameter that makes no sense.

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 
-#include "model/exact/state.h"
 #include "model/geometry/vector.h"
 #include "model/kinematics/coordinate.h"
 #include "model/kinematics/mechanism.h"
@@ -21,8 +20,6 @@ struct Direction {
 
   // From components that are not all zero (I J K).
   static Direction of(const Vector& vector);
-
-  void state(spec::StateWriter& out) const { out.all<4>(*this); }
 };
 
 // Tool direction of a setup: parameters 19680–19690 and 19697–19699, or, where 19680 is 0, the older set 19610–19623.
@@ -41,11 +38,6 @@ class Kinematics {
 
   // V of the angles of the rotary axes.
   [[nodiscard]] Direction direction(const Position& angles) const;
-
-  void state(spec::StateWriter& out) const {
-    const auto& [mechanism, tip_control_built] = *this;
-    out(mechanism);
-  }
 
  private:
   Mechanism mechanism_;

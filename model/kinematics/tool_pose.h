@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 
-#include "model/exact/state.h"
 #include "model/kinematics/control_frame.h"
 #include "model/kinematics/posture_motion.h"
 
@@ -18,9 +17,6 @@ struct ToolPose {
   Pose pose;
   std::optional<Pose> named_at;  // the pose for which the point is given, where that is another: around a turn
   Rational length;               // tool length and holder offset
-
-  // With its frame and motion it is not written: under tool center point control no two states are equal.
-  static void state(spec::StateWriter& out) { out.incomparable(); }
 };
 
 // Of the move that a block run under tool center point control makes of its own.
@@ -30,9 +26,6 @@ struct OwnMotion {
   SharedMotion motion;
   Rational length_before;       // of the tool at the start
   bool branch_differs = false;  // the warning posture-branch stands before it
-
-  // With its frame and motion it is not written: under tool center point control no two states are equal.
-  static void state(spec::StateWriter& out) { out.incomparable(); }
 };
 
 // The tip in the programming system, X Y Z; the tool as events report it there.

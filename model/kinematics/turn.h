@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <optional>
 
-#include "model/exact/state.h"
 #include "model/geometry/vector.h"
 #include "model/kinematics/angle.h"
 #include "model/kinematics/coordinate.h"
@@ -31,8 +30,6 @@ struct Turn {
   [[nodiscard]] Vector apply_back(const Vector& v, const Angle& position) const;
   // Turned forwards at one position and back at another: how a table axis carries a point along.
   [[nodiscard]] Vector carry(const Vector& v, const Angle& from, const Angle& to) const;
-
-  void state(spec::StateWriter& out) const { out.all<5>(*this); }
 };
 
 }  // namespace toolcomp::model

@@ -67,17 +67,15 @@ def diff(
     setup: SetupLike | None = None,
     engine: Literal["fast", "spec"] = "fast",
     samples: int | None = None,
-    jobs: int = 0,
 ) -> Comparison:
     """Holds the fast engine, or the formal specification, against the exact model.
 
-    :param jobs: processors for a large program; 0: all
     :raises InputError: for what cannot be read
     """
     if engine not in ("fast", "spec"):
         raise ValueError(f'engine must be "fast" or "spec", not {engine!r}')
     read = program_of(program, setup, samples)
-    text = _core.diff_fast(read, jobs) if engine == "fast" else _core.diff_specification(read)
+    text = _core.diff_fast(read) if engine == "fast" else _core.diff_specification(read)
     said = json.loads(text)
     difference = said.pop("difference")
     return Comparison(difference=Difference(**difference) if difference else None, **said)

@@ -9,8 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "spec/language/state_writer.h"
-
 namespace toolcomp::spec {
 
 inline constexpr std::size_t kMaxAxes = 9;
@@ -58,8 +56,6 @@ struct AxisValues {
   }
   void clear(std::size_t axis) { present = static_cast<std::uint16_t>(present & ~(1U << axis)); }
   [[nodiscard]] const Number& operator[](std::size_t axis) const { return value[axis]; }
-
-  void state(spec::StateWriter& out) const { out.all<2>(*this); }
 };
 
 }  // namespace toolcomp::spec

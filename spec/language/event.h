@@ -15,7 +15,6 @@
 #include "spec/clauses/clauses.h"
 #include "spec/language/axes.h"
 #include "spec/language/name.h"
-#include "spec/language/state_writer.h"
 
 namespace toolcomp::spec {
 
@@ -33,8 +32,6 @@ struct Arc {
   ArcDirection direction = ArcDirection::cw;
   std::optional<Number> sweep;                      // of the tool's own arc; absent where an end lies in the centre
   std::optional<std::pair<Number, Number>> radius;  // start and end, where they differ
-
-  void state(spec::StateWriter& out) const { out.all<5>(*this); }
 };
 
 // Where the cutter touches the workpiece (Heidenhain blocks with a surface normal). Vectors are X, Y, Z.
@@ -44,8 +41,6 @@ struct Contact {
   std::array<Number, 3> normal{};  // n, unit, from the workpiece into the tool
   bool flat = false;               // the normal is along the tool (w = 0): the flat bottom touches
   std::optional<Number> angle;     // between normal and tool in degrees; tools with a table of deviations only
-
-  void state(spec::StateWriter& out) const { out.all<4>(*this); }
 };
 
 // What 3D tool compensation adds to a move (Heidenhain; docs/events.md). Vectors are X, Y, Z.
@@ -56,8 +51,6 @@ struct SpaceCompensation {
   std::array<Number, 3> tool_shift{};            // of the real tool against one without deltas
   std::optional<std::array<Number, 3>> carrier;  // where the tool table gives the length
   std::optional<Contact<Number>> contact;        // blocks with a surface normal
-
-  void state(spec::StateWriter& out) const { out.all<5>(*this); }
 };
 
 // The clauses an event rests on, all of them, each once, in the order they were applied: what decided comes last.
@@ -78,8 +71,6 @@ class ClauseList {
   [[nodiscard]] std::vector<Clause>::const_iterator begin() const { return clauses_.begin(); }
   [[nodiscard]] std::vector<Clause>::const_iterator end() const { return clauses_.end(); }
 
-  void state(spec::StateWriter& out) const { out(clauses_); }
-
  private:
   std::vector<Clause> clauses_;
 };
@@ -89,8 +80,6 @@ struct NoClauses {
   static constexpr bool empty() { return true; }
   static constexpr const Clause* begin() { return nullptr; }
   static constexpr const Clause* end() { return nullptr; }
-
-  void state(spec::StateWriter& out) const { out(0); }
 };
 
 // Undecided only: which outcomes of the decision the specification permits.
@@ -99,14 +88,10 @@ struct PermittedOutcomes {
   bool negative = false;
   bool tie = false;
   friend bool operator==(const PermittedOutcomes&, const PermittedOutcomes&) = default;
-
-  void state(spec::StateWriter& out) const { out.all<3>(*this); }
 };
 
 // The same of the move that an event stands for.
-struct NoMove {
-  void state(spec::StateWriter& out) const { out(0); }
-};
+struct NoMove {};
 
 // A plain value: copying one in double precision does not allocate. Fields that do not belong to `kind` are
 // left at their defaults.
@@ -149,8 +134,6 @@ struct Event {
   // In no output. An alarm or `undecided` in place of a move that those before it were made with: that move, as far as
   // its block says it (programmed, arc).
   [[no_unique_address]] std::conditional_t<std::is_same_v<Number, double>, NoMove, std::shared_ptr<const Event>> unmade;
-
-  void state(spec::StateWriter& out) const { out.all<23>(*this); }
 };
 
 // Takes the events of a run, in order.

@@ -8,8 +8,6 @@
 #include <cstddef>
 #include <string_view>
 
-#include "spec/language/state_writer.h"
-
 namespace toolcomp::spec {
 
 // At most kCapacity characters; longer text is cut (no name of the specification is longer; a test checks it).
@@ -28,8 +26,6 @@ class Name {
   [[nodiscard]] constexpr bool empty() const { return size_ == 0; }
   friend constexpr bool operator==(const Name& a, const Name& b) { return a.view() == b.view(); }
   friend constexpr auto operator<=>(const Name& a, const Name& b) { return a.view() <=> b.view(); }
-
-  void state(spec::StateWriter& out) const { out(view()); }
 
  private:
   std::array<char, kCapacity> text_{};

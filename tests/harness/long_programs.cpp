@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// program: pieces
-// Long programs in a campaign: one report, whatever the number of processors, and what a short one would get.
+// Long programs in a campaign: judged while they are read, as short ones are with all events at hand.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
@@ -14,19 +11,14 @@
 #include "certify/campaign.h"
 #include "certify/event_fields.h"
 #include "certify/long_program.h"
-#include "certify/report.h"
-#include "corpus/contour.h"
 #include "corpus/freeform.h"
 #include "fuzz/oracle/verdict.h"
-#include "spec/language/byte_source.h"
 #include "spec/language/event_map.h"
 #include "spec/language/setup_format.h"
 #include "tests/effort.h"
 
 namespace toolcomp::certify {
 namespace {
-
-namespace fs = std::filesystem;
 
 // A controller that computes as the fast engine does, and says so in decimals; or one that is off in one event.
 class Texts final : public Subject {
@@ -54,7 +46,7 @@ class Texts final : public Subject {
 
 enum class Judged : std::uint8_t { here, controller };
 
-// Of two pieces; under sanitizers of one, made long by a comment.
+// Under sanitizers made long by a comment.
 spec::Case long_case() {
   const corpus::Freeform freeform = corpus::make_freeform({.blocks = test::effort(700U, 9500U)});
   spec::Case c;
@@ -66,44 +58,20 @@ spec::Case long_case() {
   return c;
 }
 
-CampaignOptions options_of(const spec::Case& c, Judged judged, unsigned processors) {
+CampaignOptions options_of(const spec::Case& c, Judged judged) {
   CampaignOptions options;
   options.cases = {{c, Origin::own}};
   options.generated = 0;
-  options.processors = processors;
   if (judged != Judged::here) options.subject = [] { return std::make_unique<Texts>(false); };
   return options;
-}
-
-// All files of a report, one behind another.
-std::string report_of(const Certificate& certificate) {
-  const fs::path folder = fs::temp_directory_path() / fmt::format("toolcomp_long_programs_{}", ::getpid());
-  fs::remove_all(folder);
-  write_report(certificate, folder.string());
-  std::string bytes;
-  for (const char* name : {"certificate.json", "certificate.sarif", "index.html", "junit.xml"})
-    bytes += spec::read_file((folder / name).string());
-  fs::remove_all(folder);
-  return bytes;
-}
-
-TEST(LongPrograms, HaveTheSameReportOfOneProcessorAndOfTwo) {
-  const spec::Case c = long_case();
-  ASSERT_TRUE(is_long(c));
-  for (const Judged judged : {Judged::here, Judged::controller}) {
-    const Certificate one = certify::certify(options_of(c, judged, 1));
-    const Certificate two = certify::certify(options_of(c, judged, 2));
-    ASSERT_EQ(one.sections.size(), 1U);
-    EXPECT_EQ(one.sections[0].count(Result::agrees), 1U);
-    EXPECT_EQ(report_of(one), report_of(two));
-  }
 }
 
 // What stands in the report but for the picture is what all events at hand give.
 TEST(LongPrograms, AreJudgedAsShortOnes) {
   const spec::Case c = long_case();
+  ASSERT_TRUE(is_long(c));
   for (const Judged judged : {Judged::here, Judged::controller}) {
-    const Certificate pieces = certify::certify(options_of(c, judged, 2));
+    const Certificate certificate = certify::certify(options_of(c, judged));
     const auto subject = judged == Judged::here ? built_in_engine() : std::make_unique<Texts>(false);
     const auto able = std::get<Capabilities>(subject->capabilities());
     const fuzz::ModelRun run = fuzz::run_model(c);
@@ -112,7 +80,7 @@ TEST(LongPrograms, AreJudgedAsShortOnes) {
     EXPECT_EQ(whole.result, Result::agrees);
     SectionResult expected;
     add(expected, asked_and_judged(c, Origin::own, run, answer, whole));
-    const SectionResult& found = pieces.sections.at(0);
+    const SectionResult& found = certificate.sections.at(0);
     EXPECT_EQ(found.results, expected.results);
     EXPECT_EQ(found.values, expected.values);
     EXPECT_EQ(found.wide, expected.wide);
@@ -122,11 +90,11 @@ TEST(LongPrograms, AreJudgedAsShortOnes) {
     EXPECT_EQ(found.worst_um, expected.worst_um);
     EXPECT_EQ(found.widths.largest(), expected.widths.largest());
     for (std::size_t i = 0; i < spec::kClauseCount; ++i)
-      EXPECT_EQ(pieces.clauses[i].reached, run.recorder.counts()[i].reached) << i;
+      EXPECT_EQ(certificate.clauses[i].reached, run.recorder.counts()[i].reached) << i;
   }
 }
 
-// What cannot be settled in pieces is left to be judged with all events at hand.
+// What differs is left to be judged with all events at hand.
 TEST(LongPrograms, DoNotAgreeWithAnotherController) {
   const spec::Case c = long_case();
   const auto beginning = beginning_of(c);
@@ -134,7 +102,7 @@ TEST(LongPrograms, DoNotAgreeWithAnotherController) {
     Texts controller(wrong);
     const auto able = std::get<Capabilities>(controller.capabilities());
     const Answer answer = controller.run(c, {});
-    EXPECT_EQ(judge_long(able, c, &answer, beginning, 2).has_value(), !wrong);
+    EXPECT_EQ(judge_long(able, c, &answer, beginning).has_value(), !wrong);
   }
 }
 

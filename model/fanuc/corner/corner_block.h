@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <optional>
 
-#include "model/exact/state.h"
 #include "model/fanuc/program/cutter_offset.h"
 #include "model/fanuc/program/stage.h"
 
@@ -36,11 +35,6 @@ struct CornerBlock : StageWords {
 
   // A word equal to the code in force before it.
   [[nodiscard]] bool repeats_code() const { return code && *code != CutterSide::none && *code == before; }
-
-  void state(spec::StateWriter& out) const override {
-    out(code, before, side, number_given, number, offset, other_compensation, plane_changed, arc_words, radius,
-        is_block, changes_workpiece_system, position, tool);
-  }
 };
 
 }  // namespace toolcomp::model

@@ -7,7 +7,6 @@
 #include <optional>
 #include <vector>
 
-#include "model/exact/state.h"
 #include "model/fanuc/corner/tool_arc.h"
 #include "model/fanuc/corner/vector_group.h"
 #include "model/fanuc/program/cutter_offset.h"
@@ -32,8 +31,6 @@ class HeldPath {
   [[nodiscard]] virtual bool arc_interferes(Recorder& recorder, ToolArcRun& run) const = 0;
   // Whether the block, as a line, interferes between two vectors. Clause: fanuc.cutter-c.interference-direction.
   [[nodiscard]] virtual bool line_interferes(Recorder& recorder, const Vector& from, const Vector& to) const = 0;
-
-  virtual void state(spec::StateWriter& out) const = 0;
 };
 
 struct Held {
@@ -57,8 +54,6 @@ struct Held {
   [[nodiscard]] bool starts() const { return kind == Kind::start_up || kind == Kind::lone_start; }
   // It has one vector at its end, and makes a corner with no block.
   [[nodiscard]] bool stands() const { return kind == Kind::lone_start || kind == Kind::corner_arc; }
-
-  void state(spec::StateWriter& out) const { out.all<8>(*this); }
 };
 
 }  // namespace toolcomp::model

@@ -26,7 +26,6 @@
 #include <optional>
 #include <vector>
 
-#include "model/exact/state.h"
 #include "model/fanuc/corner/corner_block.h"
 #include "model/fanuc/corner/held.h"
 #include "model/fanuc/corner/interference.h"
@@ -128,12 +127,6 @@ class LookAhead {
   [[noreturn]] void raise_held(Clause clause, spec::Name number, const char* message);
   // The blocks before go out as if this one were absent.
   [[noreturn]] void leave_open_at(Step& now, Clause clause, const char* message);
-
-  void state(spec::StateWriter& out) const {
-    const auto& [mode_now, recorder, slot, output, section, axes, rules, checks, held_now, here_now, waiting, corner,
-                 last, started] = *this;
-    out(mode_now, held_now, here_now, waiting, corner, last, started);
-  }
 
  private:
   [[nodiscard]] const CornerBlock& said(const Step& step) const;

@@ -9,7 +9,6 @@
 #include <optional>
 
 #include "model/basis/recorder.h"
-#include "model/exact/state.h"
 #include "model/fanuc/corner/plane_vector.h"
 
 namespace toolcomp::model {
@@ -19,8 +18,6 @@ struct Heading {
   PlanePoint along;
   Real length2;
   Real length;
-
-  void state(spec::StateWriter& out) const { out.all<3>(*this); }
 };
 Heading heading(const PlanePoint& along);
 
@@ -40,8 +37,6 @@ struct PathEnd {
   [[nodiscard]] Real radius2() const {
     return heading.length2 + (Rational(offset * offset) - Rational(2 * turn * offset) * heading.length);
   }
-
-  void state(spec::StateWriter& out) const { out.all<3>(*this); }
 };
 
 // A block of which at least the travel or the arc is not zero.
@@ -52,8 +47,6 @@ struct OffsetPath {
   bool one_radius = true;  // arcs: programmed start and end radius are the same
 
   [[nodiscard]] bool is_arc() const { return start.is_arc(); }
-
-  void state(spec::StateWriter& out) const { out.all<4>(*this); }
 };
 
 // A straight block, with the offset in force at its start and at its end.
@@ -66,8 +59,6 @@ struct ArcEnds {
   int turn = 1;
   std::optional<Rational> radius;  // where R gives it: it stays rational where the centre is not
   bool one_radius = true;
-
-  void state(spec::StateWriter& out) const { out.all<5>(*this); }
 };
 OffsetPath arc_path(const ArcEnds& arc, const Rational& offset_at_start, const Rational& offset_at_end);
 // One end of it; `from_center` is that end as seen from the centre.

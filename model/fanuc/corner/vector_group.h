@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "model/exact/state.h"
 #include "model/fanuc/corner/corner.h"
 #include "model/geometry/vector.h"
 
@@ -33,8 +32,6 @@ struct SpaceVector {
   Seat former = Seat::off;
   Seat latter = Seat::off;
   bool after_stop = false;  // the tool gets there behind the single-block stop point
-
-  void state(spec::StateWriter& out) const { out.all<4>(*this); }
 };
 using SpaceGroup = std::vector<SpaceVector>;
 // The stop point is the first head.

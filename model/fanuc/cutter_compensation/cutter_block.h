@@ -7,7 +7,6 @@
 #include <optional>
 #include <vector>
 
-#include "model/exact/state.h"
 #include "model/fanuc/corner/corner_block.h"
 #include "model/geometry/arc.h"
 
@@ -49,12 +48,6 @@ struct CutterBlock final : CornerBlock {
   spec::ArcDirection arc_direction = spec::ArcDirection::cw;
 
   [[nodiscard]] bool has_plane_word() const { return word[0] || word[1]; }
-
-  void state(spec::StateWriter& out) const override {
-    CornerBlock::state(out);
-    out(one_shot, number_before, direction, direction_letters, plane, lacks_axis, word, axis_word, axis_word_outside,
-        tip_control, motion, start, ends, end, arc, arc_direction);
-  }
 };
 
 }  // namespace toolcomp::model

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <memory>
 
-#include "model/exact/state.h"
 #include "model/fanuc/cutter_compensation/cutter_block.h"
 #include "model/fanuc/cutter_compensation/cutter_words.h"
 #include "model/fanuc/program/stage.h"
@@ -24,7 +23,6 @@ class CutterCompensation : public StageOf<CutterBlock> {
   // From the first G41, G42 or G39 of a program on.
   std::shared_ptr<StageWords> read(const StageCommand& now) final;
   void add_way(StageWords& words, const BlockWay& way) const final;
-  void state(spec::StateWriter& out) const override { out(words_); }
 
  protected:
   // With this side and this number in force compensation is on, unless a vector holds it on anyway.

@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "model/basis/recorder.h"
-#include "model/exact/state.h"
 #include "model/fanuc/cutter_compensation/cutter_block.h"
 #include "model/fanuc/program/interpreter.h"
 #include "model/fanuc/program/offset_in_force.h"
@@ -29,11 +28,6 @@ class CutterWords {
   void add_value(CutterBlock& block);
   // Its movement.
   void add_movement(CutterBlock& block, const BlockWay& way) const;
-
-  void state(spec::StateWriter& out) const {
-    const auto& [offset, axes, seen, side, plane] = *this;
-    out(offset, seen, side, plane);
-  }
 
  private:
   [[nodiscard]] PlanePoint point(spec::Plane plane, const Leg& leg) const;

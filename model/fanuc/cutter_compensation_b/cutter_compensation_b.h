@@ -2,7 +2,6 @@
 // Cutter compensation B: G40, G41, G42 and G39.
 #pragma once
 
-#include "model/exact/state.h"
 #include "model/fanuc/cutter_compensation/cutter_compensation.h"
 #include "model/fanuc/cutter_compensation_b/rules.h"
 #include "spec/language/setup.h"
@@ -19,11 +18,6 @@ class CutterCompensationB : public CutterCompensation {
   // Throws Alarm PS0038.
   void take(const Step& step) override;
   void finish() override {}
-
-  void state(spec::StateWriter& out) const override {
-    CutterCompensation::state(out);
-    out(side_, started_, vector_);
-  }
 
  private:
   [[nodiscard]] bool wanted(CutterSide side, std::uint32_t /*number*/) const override {

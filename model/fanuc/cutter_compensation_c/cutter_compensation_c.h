@@ -7,7 +7,6 @@
 
 #include <cstdint>
 
-#include "model/exact/state.h"
 #include "model/fanuc/corner/look_ahead.h"
 #include "model/fanuc/cutter_compensation/cutter_compensation.h"
 #include "model/fanuc/cutter_compensation_c/held_cutter_path.h"
@@ -27,11 +26,6 @@ class CutterCompensationC final : public CutterCompensation, private CornerSecti
   [[nodiscard]] bool takes_arc_about_its_start(const Command& command) const override { return on_after(command); }
   void take(const Step& step) override;
   void finish() override;
-
-  void state(spec::StateWriter& out) const override {
-    CutterCompensation::state(out);
-    out(ahead_, here_heading_, made_by_move_, unchecked_);
-  }
 
  private:
   // cutter_compensation_c.cpp: which block is what.

@@ -4,7 +4,6 @@
 
 #include <optional>
 
-#include "model/exact/state.h"
 #include "model/fanuc/corner/held.h"
 #include "model/fanuc/corner/offset_path.h"
 #include "model/fanuc/cutter_compensation/cutter_block.h"
@@ -20,8 +19,6 @@ class HeldCutterPath final : public HeldPath {
                                                   const SpaceVector& to) const override;
   [[nodiscard]] bool arc_interferes(Recorder& recorder, ToolArcRun& run) const override;
   [[nodiscard]] bool line_interferes(Recorder& recorder, const Vector& from, const Vector& to) const override;
-
-  void state(spec::StateWriter& out) const override { out(path_, plane_); }
 
  private:
   OffsetPath path_;

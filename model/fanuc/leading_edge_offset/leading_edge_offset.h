@@ -7,7 +7,6 @@
 #include <optional>
 #include <vector>
 
-#include "model/exact/state.h"
 #include "model/fanuc/leading_edge_offset/rules.h"
 #include "model/fanuc/program/stage.h"
 
@@ -19,8 +18,6 @@ struct EdgeBlock final : StageWords {
   Code code = Code::none;
   Rational radius;       // offset of the D number in force at the end of the block, but for a cancel block
   bool travels = false;  // it has a linear movement, X Y Z
-
-  void state(spec::StateWriter& out) const override { out(code, radius, travels); }
 };
 
 // Gives every move its compensation vector (Move::offset). Clauses: fanuc.leading-edge.*.
@@ -41,10 +38,6 @@ class LeadingEdgeOffset : public StageOf<EdgeBlock> {
   void take(const Step& step) override;
   // Throws Alarm PS5407.
   void finish() override;
-
-  void state(spec::StateWriter& out) const override {
-    out(rules_, number_, active_, starting_, vector_, held_, behind_);
-  }
 
  private:
   [[nodiscard]] std::uint32_t number(const Command& command) const { return command.codes.d.value_or(number_); }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "model/basis/recorder.h"
-#include "model/exact/state.h"
 #include "model/geometry/vector.h"
 #include "model/kinematics/tool_direction.h"
 #include "spec/language/setup.h"
@@ -17,8 +16,6 @@ enum class Sense : std::int8_t { forward = -1, backward = 1 };
 struct EdgeVector {
   Vector vector;
   Sense sense = Sense::backward;
-
-  void state(spec::StateWriter& out) const { out.all<2>(*this); }
 };
 
 // How the angle between the tool direction VT and the movement VM counts, with the fluctuation of parameter 19631.
@@ -48,11 +45,6 @@ class EdgeRules {
                                 const Rational& radius) const;
   // At the start; throws Alarm PS5408 where the tool points along or against the movement.
   [[nodiscard]] EdgeVector first(const Vector& movement, const Direction& tool, const Rational& radius) const;
-
-  void state(spec::StateWriter& out) const {
-    const auto& [recorder, exact_only, overlapping, cosine2, sine2] = *this;
-    out(cosine2, sine2);
-  }
 
  private:
   // ±R·V/|V| with V = (VM × VT) × VT.

@@ -6,7 +6,6 @@
 
 #include "model/basis/number.h"
 #include "model/basis/recorder.h"
-#include "model/exact/state.h"
 
 namespace toolcomp::model {
 
@@ -19,8 +18,6 @@ struct CutterOffset {
   Rational value;  // as the memory has it, with its sign
 
   [[nodiscard]] Rational left() const { return side * distance; }
-
-  void state(spec::StateWriter& out) const { out.all<3>(*this); }
 };
 
 // Where a side is in force. A value of 0 has the side of a positive one. Clause: fanuc.cutter.side.

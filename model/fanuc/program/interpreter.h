@@ -8,7 +8,6 @@
 
 #include "model/basis/number.h"
 #include "model/basis/recorder.h"
-#include "model/exact/state.h"
 #include "model/fanuc/program/codes.h"
 #include "model/fanuc/program/step.h"
 #include "model/fanuc/program/work_coordinates.h"
@@ -71,12 +70,6 @@ class Interpreter {
   [[nodiscard]] const WorkCoordinates& work() const { return work_; }
   [[nodiscard]] const Numbers& numbers() const { return numbers_; }
   [[nodiscard]] const std::optional<Rational>& feed() const { return feed_; }
-
-  void state(spec::StateWriter& out) const {
-    const auto& [setup, recorder, axes, numbers, work, position, intermediate, feed, feed_per_minute, motion, plane,
-                 incremental] = *this;
-    out(numbers, work, position, intermediate, feed, feed_per_minute, motion, plane, incremental);
-  }
 
  private:
   void read_feed(const Command& command);

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "model/basis/recorder.h"
-#include "model/exact/state.h"
 #include "model/fanuc/program/codes.h"
 #include "model/fanuc/program/offset_memory.h"
 #include "spec/language/setup.h"
@@ -18,8 +17,6 @@ namespace toolcomp::model {
 struct OffsetNumber {
   std::uint32_t number = 0;
   bool of_h = false;  // it came with H
-
-  void state(spec::StateWriter& out) const { out.all<2>(*this); }
 };
 
 // Follows the number through the program. Clauses: fanuc.cutter.number, fanuc.cutter.value-edited.
@@ -38,11 +35,6 @@ class OffsetInForce {
   // The value at the end of a block, setup units, with its sign. `taken_anew`: the block gives a number, or brings
   // compensation into force. Throws Alarm PS0029.
   const Rational& value(bool taken_anew);
-
-  void state(spec::StateWriter& out) const {
-    const auto& [memory, recorder, ofh, evr, number_in_force, value_in_force] = *this;
-    out(number_in_force, value_in_force);
-  }
 
  private:
   // From the address that counts.

@@ -8,7 +8,6 @@
 
 #include "model/basis/number.h"
 #include "model/basis/recorder.h"
-#include "model/exact/state.h"
 #include "model/fanuc/program/codes.h"
 #include "spec/language/name.h"
 #include "spec/language/setup.h"
@@ -23,8 +22,6 @@ struct OffsetWrite {
   bool add = false;  // G91
   std::uint32_t number = 0;
   Rational value;
-
-  void state(spec::StateWriter& out) const { out.all<6>(*this); }
 };
 
 // One entry as it now is, for the event.
@@ -32,8 +29,6 @@ struct OffsetSetting {
   spec::Name name;           // "H1", "D7.wear"
   Rational value;            // setup units
   spec::ClauseList clauses;  // applied in writing it
-
-  void state(spec::StateWriter& out) const { out.all<3>(*this); }
 };
 
 // Which table and value the L of G10 names, or nothing if this memory has no such L. Number and value are not read.
@@ -59,19 +54,12 @@ class OffsetMemory {
   // Writes, and says what stands there now.
   OffsetSetting write(const OffsetWrite& write);
 
-  void state(spec::StateWriter& out) const {
-    const auto& [recorder, kind, count, geometry_limit, wear_limit, h_table, d_table] = *this;
-    out(h_table, d_table);
-  }
-
  private:
   struct Entry {
     Rational geometry;
     Rational wear;
     [[nodiscard]] const Rational& part(bool is_wear) const { return is_wear ? wear : geometry; }
     [[nodiscard]] Rational& part(bool is_wear) { return is_wear ? wear : geometry; }
-
-    void state(spec::StateWriter& out) const { out.all<2>(*this); }
   };
   using Table = std::map<std::uint32_t, Entry>;
 

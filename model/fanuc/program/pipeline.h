@@ -6,7 +6,6 @@
 #include <memory>
 #include <vector>
 
-#include "model/exact/state.h"
 #include "model/fanuc/program/stage.h"
 
 namespace toolcomp::model {
@@ -50,11 +49,6 @@ class Pipeline {
   void take(const Step& step);
   // What the stages hold goes out as if nothing followed.
   void finish();
-
-  void state(spec::StateWriter& out) const {
-    const auto& [stages, output] = *this;
-    out(stages);
-  }
 
  private:
   // To the stage of this slot, or out behind the last one.

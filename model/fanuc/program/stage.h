@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "model/basis/recorder.h"
-#include "model/exact/state.h"
 #include "model/fanuc/program/interpreter.h"
 #include "model/fanuc/program/offset_memory.h"
 #include "model/fanuc/program/step.h"
@@ -31,9 +30,6 @@ class StageWords {
   StageWords& operator=(const StageWords&) = default;
   StageWords& operator=(StageWords&&) = default;
   virtual ~StageWords() = default;
-
-  // All of it, where a stage may hold it between blocks.
-  virtual void state(spec::StateWriter& out) const { out.incomparable(); }
 };
 
 // Where the vectors of a stage lie. It decides when its words are read, in the fixed order of alarms.
@@ -41,8 +37,6 @@ enum class Extent : std::uint8_t {
   space,  // read before the block renames the position or changes the workpiece system
   plane   // read behind that
 };
-
-inline void Step::state(spec::StateWriter& out) const { out.all<13>(*this); }
 
 // A command as the stages read it.
 struct StageCommand {
@@ -105,8 +99,6 @@ class Stage {
   virtual void take(const Step& step) = 0;
   // No block follows: the end of the program, or a block that ends the run by an alarm.
   virtual void finish() = 0;
-  // All that what comes depends on.
-  virtual void state(spec::StateWriter& out) const = 0;
 
  protected:
   [[nodiscard]] Recorder& recorder() const { return recorder_; }

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "model/basis/alarm.h"
-#include "model/exact/state.h"
 #include "model/fanuc/program/motion.h"
 #include "model/fanuc/program/offset_memory.h"
 #include "model/geometry/vector.h"
@@ -35,8 +34,6 @@ struct Leg {
   [[nodiscard]] Coordinate actual(std::size_t axis) const {
     return shift ? end.at(axis) + Coordinate(shift->at(axis)) : end.at(axis);
   }
-
-  void state(spec::StateWriter& out) const { out.all<6>(*this); }
 };
 
 // A leg with everything that length offset, tool direction and compensation say about its end.
@@ -50,8 +47,6 @@ struct Move {
   std::optional<Real> feed;
   std::optional<ToolPose> tip;              // under tool center point control, which then makes the axes of it
   std::shared_ptr<const OwnMotion> inside;  // of the own move of a block run under it
-
-  void state(spec::StateWriter& out) const { out.all<9>(*this); }
 };
 
 class StageWords;  // stage.h
@@ -61,8 +56,6 @@ struct Warning {
   spec::Name number;
   const char* message = "";  // static text
   spec::ClauseList clauses;
-
-  void state(spec::StateWriter& out) const { out.all<3>(*this); }
 };
 
 // A block ready to be compensated.
@@ -86,8 +79,6 @@ struct Step {
   std::optional<OffsetSetting> setting;  // written at the end of the block
   std::optional<Alarm> alarm;            // that shows by its motion, once its moves are made
   spec::ClauseList clauses;
-
-  void state(spec::StateWriter& out) const;  // in stage.h
 };
 
 }  // namespace toolcomp::model

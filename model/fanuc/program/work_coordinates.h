@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "model/exact/state.h"
 #include "model/fanuc/program/motion.h"
 #include "model/kinematics/coordinate.h"
 #include "spec/language/setup.h"
@@ -42,11 +41,6 @@ class WorkCoordinates {
   }
   // Of the floating reference position (G30.1).
   [[nodiscard]] const Rational& floating_reference(std::size_t axis) const { return reference_[4][axis]; }
-
-  void state(spec::StateWriter& out) const {
-    const auto& [axes, origin, external, local, reference, shift, selected, zero] = *this;
-    out(origin, external, local, reference, shift, selected, zero);
-  }
 
  private:
   using Values = std::array<Rational, spec::kMaxAxes>;

@@ -9,7 +9,6 @@
 #include <optional>
 
 #include "model/basis/event.h"
-#include "model/exact/state.h"
 #include "model/fanuc/program/step.h"
 #include "spec/language/axes.h"
 
@@ -32,11 +31,6 @@ class TipMoves {
         inside_(std::move(inside)) {}
 
   void take(const Move& move);
-
-  void state(spec::StateWriter& out) const {
-    const auto& [axes, samples, with_inside, moves, inside, last] = *this;
-    out(last);
-  }
 
  private:
   void turn(const Move& at, const Pose& to, spec::Cause cause, const Move& of) const;

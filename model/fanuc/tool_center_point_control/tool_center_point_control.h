@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "model/basis/recorder.h"
-#include "model/exact/state.h"
 #include "model/fanuc/program/interpreter.h"
 #include "model/fanuc/program/pipeline.h"
 #include "model/fanuc/tool_center_point_control/rules.h"
@@ -73,11 +72,6 @@ class ToolCenterPointControl {
   // them also where only their zero has changed.
   void follow(const Position& position);
 
-  void state(spec::StateWriter& out) const {
-    out(kinematics_, machine_, posture_, pose_, pose_direction_, tool_, with_posture_, lean_, tip_, now_, kept_,
-        last_lean_, frozen_, standing_);
-  }
-
  private:
   // words.cpp
   void restrict_mode(const Command& command, const ToolLengthOffset& length, const TipMarks& marks) const;
@@ -136,8 +130,6 @@ class ToolCenterPointControl {
     Vector tool;
     Vector travel;
     Direction to;
-
-    void state(spec::StateWriter& out) const { out.all<3>(*this); }
   };
   std::optional<Lean> last_lean_;   // of this G43.5
   Pose frozen_;                     // where the frame stands

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "model/basis/recorder.h"
-#include "model/exact/state.h"
 #include "model/fanuc/program/codes.h"
 #include "model/fanuc/program/interpreter.h"
 #include "spec/language/setup.h"
@@ -33,16 +32,12 @@ struct LengthVector {
   std::array<Rational, spec::kMaxAxes> axis;
   Rational along_tool;
   friend bool operator==(const LengthVector&, const LengthVector&) = default;
-
-  void state(spec::StateWriter& out) const { out.all<2>(*this); }
 };
 
 // Axes of the length offset.
 struct LengthAxes {
   AxisMask last = 0;       // the axes offset last
   AxisMask cancelled = 0;  // axes whose vector G53 or a reference return has taken away
-
-  void state(spec::StateWriter& out) const { out.all<2>(*this); }
 };
 
 // Clauses: fanuc.length-offset.*.

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "model/basis/recorder.h"
-#include "model/exact/state.h"
 #include "model/fanuc/program/codes.h"
 #include "model/fanuc/program/offset_memory.h"
 #include "model/fanuc/tool_length_offset/rules.h"
@@ -45,11 +44,6 @@ class ToolLengthOffset {
   [[nodiscard]] bool directed() const { return mode_ == LengthCode::tool_direction; }
   // Some axis is offset by G43 or G44.
   [[nodiscard]] bool axis_offset() const;
-
-  void state(spec::StateWriter& out) const {
-    const auto& [memory, recorder, rules, mode, number_in_force, vector_in_force, axes] = *this;
-    out(mode, number_in_force, vector_in_force, axes);
-  }
 
  private:
   [[nodiscard]] bool active() const { return mode_ != LengthCode::cancel; }

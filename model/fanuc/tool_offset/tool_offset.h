@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "model/basis/recorder.h"
-#include "model/exact/state.h"
 #include "model/fanuc/program/interpreter.h"
 #include "model/fanuc/program/offset_in_force.h"
 #include "model/fanuc/tool_offset/rules.h"
@@ -34,11 +33,6 @@ class ToolOffset {
   [[nodiscard]] Leg shifted(Leg leg) const;
   // Actual minus programmed position of an axis after the last block, setup units.
   [[nodiscard]] const Rational& shift(std::size_t axis) const { return shift_.at(axis); }
-
-  void state(spec::StateWriter& out) const {
-    const auto& [memory, recorder, axes, by_length_number, offset, rules, shift_in_force, is_shifted] = *this;
-    out(offset, shift_in_force, is_shifted);
-  }
 
  private:
   // The offset value in force.

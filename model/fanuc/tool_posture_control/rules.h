@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "model/basis/recorder.h"
-#include "model/exact/state.h"
 #include "model/fanuc/tool_posture_control/great_circle.h"
 #include "model/kinematics/angle.h"
 #include "model/kinematics/machine.h"
@@ -18,8 +17,6 @@ namespace toolcomp::model {
 struct Pole {
   int sign = 1;
   Angle tool;  // the tool-side position there, principal
-
-  void state(spec::StateWriter& out) const { out.all<2>(*this); }
 };
 
 // The pole that an arc goes through inside, and on which side it passes the work-side axis else.
@@ -58,11 +55,6 @@ class PostureRules {
   [[nodiscard]] static Pose changed(const Pose& start, const Pose& end, const Angle& singular);
   // An end that was to be changed stays. Throws Alarm PS5421.
   void keep_end() const;
-
-  void state(spec::StateWriter& out) const {
-    const auto& [machine, recorder, poles, limit, veto, refuses, limit_cosine, limit_sine2, veto_cosine] = *this;
-    out(poles, limit_cosine, limit_sine2, veto_cosine);
-  }
 
  private:
   // The least distance d of an arc from a pole.

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "model/basis/recorder.h"
-#include "model/exact/state.h"
 #include "model/fanuc/tool_posture_control/arc_view.h"
 #include "model/fanuc/tool_posture_control/great_circle_motion.h"
 #include "model/fanuc/tool_posture_control/lift.h"
@@ -55,11 +54,6 @@ class ToolPostureControl {
   [[nodiscard]] PosturePlan conventional(const SharedFrame& frame, const PostureBlock& block) const;
   // The rotary axes stand.
   [[nodiscard]] static PosturePlan stand(const SharedFrame& frame, const PostureBlock& block);
-
-  void state(spec::StateWriter& out) const {
-    const auto& [machine, choice, recorder, lift, rules] = *this;
-    out(rules);
-  }
 
  private:
   // A block in the making.

@@ -7,7 +7,6 @@
 
 #include <utility>
 
-#include "model/exact/state.h"
 #include "model/fanuc/corner/plane_vector.h"
 #include "model/geometry/vector.h"
 #include "model/kinematics/tool_direction.h"
@@ -42,11 +41,6 @@ class CompensationPlane {
   // The same with the part in the plane of `v`, which is not along the tool.
   [[nodiscard]] PlaneFrame frame_along(const Vector& v) const;
   [[nodiscard]] bool has_rational_tool() const;
-
-  void state(spec::StateWriter& out) const {
-    const auto& [the_tool] = *this;
-    out(the_tool);
-  }
 
  private:
   Direction tool_;

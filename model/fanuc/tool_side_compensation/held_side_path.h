@@ -4,7 +4,6 @@
 
 #include <optional>
 
-#include "model/exact/state.h"
 #include "model/fanuc/corner/held.h"
 #include "model/fanuc/tool_side_compensation/side_path.h"
 
@@ -25,8 +24,6 @@ class HeldSidePath final : public HeldPath {
   CompensationPlane plane_at_start;  // of the corner there
   Rational offset_at_start;          // signed, to the left
   PathEnd start;                     // as seen in the plane of the corner there, where there is one, else in its own
-
-  void state(spec::StateWriter& out) const override { out(plane, path, end, plane_at_start, offset_at_start, start); }
 
  private:
   [[nodiscard]] HeadPair pair_of(const SpaceVector& from, const SpaceVector& to) const;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "model/basis/recorder.h"
-#include "model/exact/state.h"
 #include "model/geometry/vector.h"
 #include "model/kinematics/tool_direction.h"
 #include "spec/language/setup.h"
@@ -24,11 +23,6 @@ class PlaneChangeCheck {
 
   // Whether the path from `former` to `latter` is at fault.
   [[nodiscard]] bool interferes(const TurningBlock& former, const TurningBlock& latter) const;
-
-  void state(spec::StateWriter& out) const {
-    const auto& [recorder, checks, cosine, cosine2] = *this;
-    out(cosine, cosine2);
-  }
 
  private:
   [[nodiscard]] bool turns_far(const Direction& former, const Direction& latter) const;

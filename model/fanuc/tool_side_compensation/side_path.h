@@ -4,7 +4,6 @@
 
 #include <optional>
 
-#include "model/exact/state.h"
 #include "model/fanuc/corner/offset_path.h"
 #include "model/fanuc/tool_side_compensation/compensation_plane.h"
 #include "spec/language/event.h"
@@ -31,16 +30,12 @@ struct SideArc {
   // Whether the tool sees the plane against that axis (+1) or from the other side (-1), at the start and at the end.
   int sense_at_start = 1;
   int sense_at_end = 1;
-
-  void state(spec::StateWriter& out) const { out.all<4>(*this); }
 };
 
 // A line, or an arc.
 struct SidePath {
   Vector travel;  // from start to end
   std::optional<SideArc> arc;
-
-  void state(spec::StateWriter& out) const { out.all<2>(*this); }
 };
 
 // A line or an arc as the corner at one of its ends sees it, in the compensation plane there.
@@ -51,8 +46,6 @@ struct SideEnd {
     PlanePoint from_center;
     int turn = 1;                    // as seen from the tool
     std::optional<Rational> radius;  // where R gives it
-
-    void state(spec::StateWriter& out) const { out.all<4>(*this); }
   };
 
   Rational offset;  // signed distance of the tool to the left of the path
@@ -61,8 +54,6 @@ struct SideEnd {
   Vector left;
   Real left2;
   std::optional<OfArc> arc;
-
-  void state(spec::StateWriter& out) const { out.all<5>(*this); }
 };
 
 SideEnd line_end(const CompensationPlane& plane, const Vector& travel, const Rational& offset);

@@ -4,7 +4,6 @@
 
 #include <optional>
 
-#include "model/exact/state.h"
 #include "model/fanuc/corner/corner_block.h"
 
 namespace toolcomp::model {
@@ -21,11 +20,6 @@ struct ToolSideBlock final : CornerBlock {
 
   // The compensation is on after the block.
   [[nodiscard]] bool wanted() const { return side != CutterSide::none && number != 0; }
-
-  void state(spec::StateWriter& out) const override {
-    CornerBlock::state(out);
-    out(treatment, wrong_mode, leaves_the_path, refused_while_on, auxiliary, stops_look_ahead, moves, arc_mode);
-  }
 };
 
 }  // namespace toolcomp::model

@@ -10,7 +10,6 @@
 #include <optional>
 #include <vector>
 
-#include "model/exact/state.h"
 #include "model/fanuc/corner/look_ahead.h"
 #include "model/fanuc/program/stage.h"
 #include "model/fanuc/tool_side_compensation/held_side_path.h"
@@ -43,8 +42,6 @@ class ToolSideCompensation final : public StageOf<ToolSideBlock>, private Corner
   }
   void take(const Step& step) override;
   void finish() override;
-
-  void state(spec::StateWriter& out) const override { out(words_, plane_change_, ahead_, corner_plane_, before_); }
 
  private:
   // How a block moves: asked at each corner by itself (fanuc.tool-side.moving-block).

@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "model/basis/recorder.h"
-#include "model/exact/state.h"
 #include "model/fanuc/program/offset_in_force.h"
 #include "model/fanuc/tool_side_compensation/tool_side_block.h"
 #include "spec/language/setup.h"
@@ -23,11 +22,6 @@ class ToolSideWords {
   [[nodiscard]] std::shared_ptr<ToolSideBlock> read(const StageCommand& now);
   // The value in force at the end of the block. Throws Alarm PS0029.
   void add_value(ToolSideBlock& block);
-
-  void state(spec::StateWriter& out) const {
-    const auto& [offset, axes, seen, side, plane] = *this;
-    out(offset, seen, side, plane);
-  }
 
  private:
   [[nodiscard]] CutterSide side_after(const Command& command) const;

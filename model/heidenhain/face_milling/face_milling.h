@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "model/basis/recorder.h"
-#include "model/exact/state.h"
 #include "model/heidenhain/face_milling/rules.h"
 #include "model/heidenhain/program/tool_checks.h"
 
@@ -26,11 +25,6 @@ class FaceMilling {
 
   // Another motion, or a TOOL CALL, came between: no jump is looked for.
   void forget() { before_.reset(); }
-
-  void state(spec::StateWriter& out) const {
-    const auto& [recorder, checks, rules, before] = *this;
-    out(before);
-  }
 
  private:
   Recorder& recorder_;

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "model/basis/recorder.h"
-#include "model/exact/state.h"
 #include "model/heidenhain/peripheral_milling/rules.h"
 
 namespace toolcomp::model::klartext {
@@ -27,11 +26,6 @@ class PeripheralMilling {
   bool pass();
   // Nothing that moves follows. Throws Alarm.
   void finish() { release(nullptr); }
-
-  void state(spec::StateWriter& out) const {
-    const auto& [recorder, rules, output, held, former, held_is_first, on] = *this;
-    out(held, former, held_is_first, on);
-  }
 
  private:
   void release(const Motion* next);

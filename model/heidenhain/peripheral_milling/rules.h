@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "model/basis/recorder.h"
-#include "model/exact/state.h"
 #include "model/geometry/vector.h"
 #include "model/heidenhain/program/compensated.h"
 #include "model/heidenhain/program/motion.h"
@@ -18,8 +17,6 @@ struct LateralDirection {
   Vector vector;  // s (T x d)
   Real norm2;
   Vector unit;  // c
-
-  void state(spec::StateWriter& out) const { out.all<3>(*this); }
 };
 
 // Where a compensated block ends, and the direction made last.

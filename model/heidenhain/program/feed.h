@@ -4,7 +4,6 @@
 
 #include <optional>
 
-#include "model/exact/state.h"
 #include "model/heidenhain/program/values.h"
 #include "spec/language/heidenhain/klartext_block.h"
 
@@ -28,11 +27,6 @@ class Feed {
     if (block.feed == spec::klartext::FeedWord::f_auto) in_force_ = of_tool_call_;
   }
   [[nodiscard]] const std::optional<Real>& in_force() const { return in_force_; }
-
-  void state(spec::StateWriter& out) const {
-    const auto& [values, in_force, of_tool_call] = *this;
-    out(in_force, of_tool_call);
-  }
 
  private:
   // Whether the block sets a feed.

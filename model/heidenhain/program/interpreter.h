@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "model/basis/recorder.h"
-#include "model/exact/state.h"
 #include "model/heidenhain/program/feed.h"
 #include "model/heidenhain/program/functions.h"
 #include "model/heidenhain/program/motion.h"
@@ -32,12 +31,6 @@ class Interpreter {
   [[nodiscard]] bool ends() const { return ends_; }
   // A tool was called in the block read last, or its values changed.
   [[nodiscard]] bool tool_call() const { return tool_call_; }
-
-  void state(spec::StateWriter& out) const {
-    const auto& [setup, recorder, values, position, tool, direction, feed, side, contour, oversize, begun, ends,
-                 tool_call] = *this;
-    out(values, position, tool, direction, feed, side, contour, oversize, begun, ends, tool_call);
-  }
 
  private:
   void begin(const spec::klartext::Block& block);

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "model/basis/recorder.h"
-#include "model/exact/state.h"
 #include "model/geometry/vector.h"
 #include "model/kinematics/tool_direction.h"
 #include "spec/language/axes.h"
@@ -21,8 +20,6 @@ struct SupportPoint {
   Rational angle;
   Real cosine;
   Real value;
-
-  void state(spec::StateWriter& out) const { out.all<3>(*this); }
 };
 using Deviations = std::vector<SupportPoint>;
 
@@ -34,8 +31,6 @@ struct EffectiveTool {
   Real dl, dr, dr2;       // sums of the deltas of table, TOOL CALL and compensation table
   Real dr2_of_program;    // the same without the tool table
   Deviations deviations;  // of DR2TABLE; empty: the tool has none
-
-  void state(spec::StateWriter& out) const { out.all<9>(*this); }
 };
 
 // R0, RL, RR.
@@ -45,8 +40,6 @@ struct Warning {
   spec::Name number;         // W_DIGITS …
   const char* message = "";  // static text
   Clause clause{};
-
-  void state(spec::StateWriter& out) const { out.all<3>(*this); }
 };
 
 // An L block with an axis word, or an LN block. Lengths in units of the program, workpiece coordinates.
@@ -84,8 +77,6 @@ struct Motion {
     recorder.reach(clause);
     warnings.push_back({number, message, clause});
   }
-
-  void state(spec::StateWriter& out) const { out.all<19>(*this); }
 };
 
 }  // namespace toolcomp::model::klartext

@@ -6,7 +6,6 @@
 
 #include "model/basis/recorder.h"
 #include "model/exact/real.h"
-#include "model/exact/state.h"
 #include "model/geometry/vector.h"
 #include "model/heidenhain/program/values.h"
 #include "spec/language/heidenhain/klartext_block.h"
@@ -36,11 +35,6 @@ class ProgrammedPosition {
 
   [[nodiscard]] const Real& at(std::size_t slot) const { return at_.at(slot); }
   [[nodiscard]] Vector point() const { return {at_[0], at_[1], at_[2]}; }
-
-  void state(spec::StateWriter& out) const {
-    const auto& [values, recorder, at, datum] = *this;
-    out(at, datum);
-  }
 
  private:
   const Values& values_;

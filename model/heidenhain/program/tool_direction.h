@@ -3,7 +3,6 @@
 #pragma once
 
 #include "model/basis/recorder.h"
-#include "model/exact/state.h"
 #include "model/heidenhain/program/position.h"
 #include "model/kinematics/tool_direction.h"
 #include "spec/language/heidenhain/klartext_block.h"
@@ -37,11 +36,6 @@ class ToolDirection {
   void take_rotary_words(const spec::klartext::Block& block, const ProgrammedPosition& position);
   // An LN block under TCPM.
   void take_vector(const Vector& vector) { current_ = direction_of(vector); }
-
-  void state(spec::StateWriter& out) const {
-    const auto& [recorder, tcpm, center, axis, current] = *this;
-    out(tcpm, center, axis, current);
-  }
 
  private:
   void switch_on(bool center);

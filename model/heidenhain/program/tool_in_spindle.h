@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "model/basis/recorder.h"
-#include "model/exact/state.h"
 #include "model/heidenhain/program/motion.h"
 #include "model/heidenhain/program/values.h"
 #include "spec/language/heidenhain/klartext_block.h"
@@ -30,16 +29,9 @@ class ToolInSpindle {
   // As it is now; it stays as it is when the tool changes.
   [[nodiscard]] std::shared_ptr<const EffectiveTool> effective();
 
-  void state(spec::StateWriter& out) const {
-    const auto& [setup, values, recorder, table, of_table, of_call, of_correction, corrected, effective] = *this;
-    out(table, of_table, of_call, of_correction, corrected, effective);
-  }
-
  private:
   struct Deltas {
     Real dl, dr, dr2;
-
-    void state(spec::StateWriter& out) const { out.all<3>(*this); }
   };
 
   [[nodiscard]] const spec::ToolRow* find(const spec::klartext::Block& block) const;

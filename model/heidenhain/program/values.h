@@ -7,7 +7,6 @@
 
 #include "model/basis/recorder.h"
 #include "model/exact/real.h"
-#include "model/exact/state.h"
 #include "spec/language/heidenhain/klartext_block.h"
 #include "spec/language/setup.h"
 
@@ -30,11 +29,6 @@ class Values {
   [[nodiscard]] Real of_table(const spec::Decimal& mm) const;
   // A length of the setup, in units of the program.
   [[nodiscard]] Real of_setup(const spec::Decimal& length) const;
-
-  void state(spec::StateWriter& out) const {
-    const auto& [recorder, setup, program, parameters] = *this;
-    out(setup, program, parameters);
-  }
 
  private:
   using Key = std::uint32_t;

@@ -53,7 +53,6 @@ class Witness : public model::StageOf<Said> {
     hand_on(step);
   }
   void finish() override { asked().push_back(std::string(1, Name) + " finishes"); }
-  void state(spec::StateWriter& /*out*/) const override {}
 };
 
 template <class Kind>
