@@ -10,7 +10,7 @@
 
 #include "model/basis/recorder.h"
 #include "model/exact/state.h"
-#include "model/fanuc/corner/plane_vector.h"
+#include "model/geometry/plane_vector.h"
 
 namespace toolcomp::model {
 
