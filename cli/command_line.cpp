@@ -163,7 +163,7 @@ std::string CommandLine::typed() const {
 int CommandLine::refuse(const CLI::ParseError& error) const {
   const CLI::App* app = app_.get();
   std::string name = app->get_name();
-  while (!app->get_subcommands().empty()) {
+  while (app->remaining().empty() && !app->get_subcommands().empty()) {
     app = app->get_subcommands().front();
     name += ' ' + app->get_name();
   }

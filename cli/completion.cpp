@@ -96,7 +96,7 @@ void add_options(Candidates& candidates, const Given& given) {
 }
 
 void add_argument(Candidates& candidates, const Given& given) {
-  for (const CLI::App* verb : listed_verbs(*given.app)) candidates.add(verb->get_name(), summary(*verb));
+  for (const CLI::App* verb : listed_verbs(*given.app)) candidates.add(verb->get_name(), summary_of(*verb));
   std::size_t place = 0;
   for (const CLI::Option* argument : arguments_of(*given.app))
     if (place++ == given.arguments || is_repeated(*argument)) return add_values(candidates, argument->get_type_name());

@@ -44,9 +44,11 @@ std::vector<const CLI::App*> listed_verbs(const CLI::App& app) {
   return app.get_subcommands([](const CLI::App* verb) { return !verb->get_group().empty(); });
 }
 
-std::string summary(const CLI::App& app) { return app.get_description().substr(0, app.get_description().find('\n')); }
+std::string summary_of(const CLI::App& app) {
+  return app.get_description().substr(0, app.get_description().find('\n'));
+}
 
-std::vector<std::string> paragraphs(const CLI::App& app) {
+std::vector<std::string> paragraphs_of(const CLI::App& app) {
   std::vector<std::string> list = CLI::detail::split(app.get_description(), '\n');
   list.erase(list.begin());
   return list;
@@ -55,7 +57,7 @@ std::vector<std::string> paragraphs(const CLI::App& app) {
 std::string usage_of(const CLI::App& app, const std::string& name) {
   std::string text = name;
   for (const CLI::Option* argument : arguments_of(app))
-    text += ' ' + (argument->get_required() ? shown(*argument) : '[' + shown(*argument) + ']');
+    text += ' ' + (argument->get_required() ? form_of(*argument) : '[' + form_of(*argument) + ']');
   for (const CLI::Option* option : options_of(app))
     if (option->get_required()) text += ' ' + names_of(*option).back() + ' ' + option->get_type_name();
   return text + (listed_verbs(app).empty() ? "" : " VERB [ARGUMENT…]") + " [OPTION…]";
@@ -83,7 +85,7 @@ bool takes_value(const CLI::Option& option) {
 
 bool is_repeated(const CLI::Option& option) { return option.get_expected_max() > 1; }
 
-std::string shown(const CLI::Option& option) {
+std::string form_of(const CLI::Option& option) {
   if (option.get_positional()) return option.get_name(true, false) + (is_repeated(option) ? "…" : "");
   return CLI::detail::join(names_of(option), ", ") + (takes_value(option) ? ' ' + option.get_type_name() : "");
 }
@@ -105,8 +107,8 @@ std::string Help::make_help(const CLI::App* app, std::string name, CLI::AppForma
 }
 
 std::string Help::make_description(const CLI::App* app) const {
-  std::string text = wrapped(summary(*app) + '.', 0, 0, columns_);
-  for (const std::string& paragraph : paragraphs(*app)) text += '\n' + wrapped(paragraph, 0, 0, columns_);
+  std::string text = wrapped(summary_of(*app) + '.', 0, 0, columns_);
+  for (const std::string& paragraph : paragraphs_of(*app)) text += '\n' + wrapped(paragraph, 0, 0, columns_);
   return text;
 }
 
@@ -116,10 +118,10 @@ std::string Help::make_usage(const CLI::App* app, std::string name) const {
 }
 
 std::string Help::make_option(const CLI::Option* option, bool /*is_positional*/) const {
-  return entry(shown(*option), text_of(*option));
+  return entry(form_of(*option), text_of(*option));
 }
 
-std::string Help::make_subcommand(const CLI::App* sub) const { return entry(sub->get_name(), summary(*sub)); }
+std::string Help::make_subcommand(const CLI::App* sub) const { return entry(sub->get_name(), summary_of(*sub)); }
 
 std::string Help::entry(std::string_view name, std::string_view text) const {
   // Little room: texts below names.

@@ -16,8 +16,8 @@ inline constexpr const char* kCommonOptions = "Common options";
 // The verbs of the program, or of a verb, without those for this program alone; in the order of their definition.
 std::vector<const CLI::App*> listed_verbs(const CLI::App& app);
 // What it does, in one line without a point; and the paragraphs that follow.
-std::string summary(const CLI::App& app);
-std::vector<std::string> paragraphs(const CLI::App& app);
+std::string summary_of(const CLI::App& app);
+std::vector<std::string> paragraphs_of(const CLI::App& app);
 // "toolcomp run program [OPTION…]"; `name` is all that is typed up to here.
 std::string usage_of(const CLI::App& app, const std::string& name);
 
@@ -29,7 +29,7 @@ std::vector<std::string> names_of(const CLI::Option& option);
 bool takes_value(const CLI::Option& option);
 bool is_repeated(const CLI::Option& option);
 // "-q, --quiet", "--engine fast|model"; of an argument its name.
-std::string shown(const CLI::Option& option);
+std::string form_of(const CLI::Option& option);
 // What it is, without the last point.
 std::string text_of(const CLI::Option& option);
 

@@ -33,9 +33,9 @@ std::string item(const std::string& tag, const std::string& text) { return ".TP\
 // Arguments and options; the common ones only where they are asked for.
 std::string items(const CLI::App& app, bool common) {
   std::string out;
-  for (const CLI::Option* argument : arguments_of(app)) out += item(shown(*argument), text_of(*argument));
+  for (const CLI::Option* argument : arguments_of(app)) out += item(form_of(*argument), text_of(*argument));
   for (const CLI::Option* option : options_of(app))
-    if (common || option->get_group() != kCommonOptions) out += item(shown(*option), text_of(*option));
+    if (common || option->get_group() != kCommonOptions) out += item(form_of(*option), text_of(*option));
   return out;
 }
 
@@ -57,17 +57,17 @@ std::string page(const CLI::App& app, const std::string& name, const std::string
   const std::string title = CLI::detail::find_and_replace(name, " ", "-");
   std::string out = ".\\\" Made by the build from the definitions of the command.\n";
   out += fmt::format(".TH {} 1 {} \"toolcomp {}\"\n", upper(title), date, TOOLCOMP_VERSION);
-  out += ".SH NAME\n" + roff(title + " - " + summary(app)) + ".SH SYNOPSIS\n.B " + roff(usage_of(app, name));
+  out += ".SH NAME\n" + roff(title + " - " + summary_of(app)) + ".SH SYNOPSIS\n.B " + roff(usage_of(app, name));
   out += ".SH DESCRIPTION\n";
-  const std::vector<std::string> texts = paragraphs(app);
+  const std::vector<std::string> texts = paragraphs_of(app);
   for (const std::string& text : texts) out += (&text == &texts.front() ? "" : ".PP\n") + roff(text);
   const std::vector<const CLI::App*> verbs = listed_verbs(app);
   if (!verbs.empty()) out += ".SH VERBS\n";
   for (const CLI::App* verb : verbs)
     if (program)
-      out += item(verb->get_name(), summary(*verb));
+      out += item(verb->get_name(), summary_of(*verb));
     else
-      out += ".SS " + roff(usage_of(*verb, verb->get_name())) + roff(summary(*verb) + '.') + items(*verb, false);
+      out += ".SS " + roff(usage_of(*verb, verb->get_name())) + roff(summary_of(*verb) + '.') + items(*verb, false);
   out += ".SH OPTIONS\n" + items(app, true) + sections(app.get_footer());
   out += ".SH SEE ALSO\n";
   if (!program) return out + ".BR toolcomp (1)\n";

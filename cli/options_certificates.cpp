@@ -28,7 +28,7 @@ void define_certify(CommandLine& line) {
   One section of the built-in fast engine:
     $ toolcomp certify --controller fast --section fanuc/tool-offset --cases 20
   A program of one's own, with evidence:
-    $ toolcomp certify --controller 'toolcomp serve --engine fast' part.nc --evidence part.tar.zst)");
+    $ toolcomp certify --controller fast part.nc --evidence part.tar.zst)");
   take(sub, "inputs", options->inputs, "FILE",
        "Cases, files of cases (.jsonl) and programs to judge; without them, the golden corpus and generated cases");
   take(sub, "--controller", options->controller, "CONTROLLER",
@@ -77,7 +77,7 @@ void define_verify(CommandLine& line) {
       [options] { return verify(*options); });
   sub->footer(R"(Examples:
   A certificate of one program, with its evidence:
-    $ toolcomp certify --controller 'toolcomp serve --engine fast' part.nc --evidence part.tar.zst
+    $ toolcomp certify --controller fast part.nc --evidence part.tar.zst
   Whether it is what it says:
     $ toolcomp verify part.tar.zst)");
   take(sub, "file", options->file, "FILE", "The file that certify --evidence wrote")->required();
@@ -121,8 +121,7 @@ void define_kit_make(CommandLine& line, CLI::App* kit) {
   take(sub, "--cases", options->cases, "N", "FANUC: so many programs made for this machine are candidates besides");
   take(sub, "--seed", options->seed, "N", "Seed of these programs")->capture_default_str();
   take(sub, "--first-offset", options->first_offset, "N", "Offset numbers from here on are overwritten", 1U, 999U);
-  take(sub, "--tolerance", options->tolerance, "LENGTH",
-       "What moves a path by less is not counted (default: 0.05, in mm)");
+  take(sub, "--tolerance", options->tolerance, "LENGTH", "What moves a path by less is not counted (default: 0.05)");
 }
 
 void define_kit_judge(CommandLine& line, CLI::App* kit) {

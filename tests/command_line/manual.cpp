@@ -96,12 +96,13 @@ TEST_F(Manual, WhatIsShownRuns) {
     fs::copy_file(example + "plate.nc", place.path("part.nc"));
     fs::copy_file(example + "setup.toml", place.path("setup.toml"));
     static_cast<void>(place.write("case.json", R"({"case":1,"setup":{"control":"fanuc"},"program":"G00 X1.\n"})"));
-    const std::string run = read(page);
-    for (const std::string& line : lines_of(command("mandoc -T ascii -O width=400 " + page + " | col -bx").out)) {
-      const std::size_t prompt = line.find("$ ");
-      if (prompt == std::string::npos || line.find_first_not_of(' ') != prompt) continue;
+    const std::vector<std::string> lines = lines_of(command("mandoc -T ascii -O width=400 " + page + " | col -bx").out);
+    for (auto line = lines.begin(); line != lines.end(); ++line) {
+      const std::size_t prompt = line->find("$ ");
+      if (prompt == std::string::npos || line->find_first_not_of(' ') != prompt) continue;
       ++shown;
-      const std::string typed = line.substr(prompt + 2);
+      std::string typed = line->substr(prompt + 2);
+      while (typed.ends_with('\\') && line + 1 != lines.end()) typed += '\n' + *++line;
       const std::string script = place.write("typed.sh", "cd " + place.path(".") + "\n" + typed + "\n");
       const Outcome outcome = command("PATH=" TOOLCOMP_BINARY_DIR ":$PATH bash -e " + script);
       EXPECT_EQ(outcome.status, 0) << page << ": " << typed << '\n' << outcome.out << outcome.err;
