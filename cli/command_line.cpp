@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <chrono>
 #include <iostream>
-#include <iterator>
 #include <map>
+#include <string_view>
 #include <utility>
 
 #include "cli/completion.h"
@@ -16,96 +16,131 @@
 #include "cli/manners.h"
 #include "cli/options.h"
 #include "cli/verbs.h"
-#include "spec/language/input_error.h"
 #include "spec/language/suggestion.h"
 
 namespace toolcomp::cli {
 namespace {
 
-const std::string kCommon = "Common";
-
 const std::map<std::string, Coloring> kColorings{
     {"auto", Coloring::automatic}, {"always", Coloring::always}, {"never", Coloring::never}};
 
-OptionText text_of(const CLI::Option& option) {
-  OptionText text;
-  for (const std::string& name : option.get_snames()) text.names.push_back('-' + name);
-  for (const std::string& name : option.get_lnames()) text.names.push_back("--" + name);
-  text.argument = option.get_positional();
-  if (text.argument) text.names = {option.get_name(true, false)};
-  if (option.get_type_size() != 0 && option.get_items_expected_max() > 0) text.value = option.get_type_name();
-  text.text = option.get_description();
-  if (const std::string& usual = option.get_default_str(); !usual.empty()) text.text += " (default: " + usual + ')';
-  text.required = option.get_required();
-  text.repeated = option.get_expected_max() > 1;
-  text.common = option.get_group() == kCommon;
-  return text;
+constexpr const char* kAbout =
+    "Exact reference of CNC tool compensation, and judge of controls\n"
+    "toolcomp says what a numerical control makes of a program under tool compensation, exactly and block by block, by "
+    "the rules of its manual; and it judges controls against that.\n"
+    "Standard output carries data, standard error progress and diagnostics. What is wrong with an input is one line "
+    "FILE:LINE:COLUMN: and what was expected; lines and columns count from 1, columns in characters.";
+
+constexpr const char* kFooter = R"(Exit status:
+  0  It agrees, or it is done.
+  1  A difference was found, or a certificate was refused.
+  2  Bad usage or bad input: one line on standard error says what.
+  3  It could not be decided, or nothing was judged.
+  4  A self-check failed: an error of this program.
+  Where several apply: 4 before 2 before 1 before 3.
+
+Environment:
+  NO_COLOR           If it is set and not empty, output has no colors.
+  CLICOLOR_FORCE     If it is set and not 0, output always has colors.
+  CLICOLOR           If it is 0, output has no colors.
+  COLUMNS            How wide output is; else the terminal is asked.
+  TERM               On one called dumb: no progress, no color.
+  TOOLCOMP_ADAPTERS  Folders of adapters, parted by colons, searched first.
+  SOURCE_DATE_EPOCH  Seconds since 1970: the date in reports.
+
+Files:
+  setup.toml           Beside a program: its setup, where --setup names none.
+  /usr/share/toolcomp  Corpus, adapters, schemas and files for editors.
+
+Examples:
+  A setup to begin with:
+    $ toolcomp config example > setup.toml
+  What a program comes to:
+    $ toolcomp run part.nc --setup setup.toml
+  What the rules are:
+    $ toolcomp spec sections)";
+
+// Without any word.
+constexpr const char* kFirstSteps =
+    "usage: toolcomp VERB [ARGUMENT…]\n"
+    "\n"
+    "  toolcomp config example > setup.toml      a setup to begin with\n"
+    "  toolcomp run PART.nc --setup setup.toml   what the control makes of a program, exactly\n"
+    "  toolcomp explain PART.nc                  why, block by block\n"
+    "  toolcomp certify --controller COMMAND     judge a control\n"
+    "\n"
+    "`toolcomp --help` lists the verbs, `toolcomp VERB --help` says what each takes.\n";
+
+CLI::App* add(CLI::App* of, const std::string& name, const std::string& about) {
+  return of->add_subcommand(name, about)->group("Verbs");
 }
 
-// Arguments, options, common options; each in the order of their definitions.
-std::vector<OptionText> options_of(const CLI::App& app) {
-  std::vector<OptionText> arguments, options, common;
-  for (const CLI::Option* option : app.get_options([](const CLI::Option* o) { return !o->get_group().empty(); })) {
-    OptionText text = text_of(*option);
-    (text.argument ? arguments : text.common ? common : options).push_back(std::move(text));
-  }
-  std::ranges::move(options, std::back_inserter(arguments));
-  std::ranges::move(common, std::back_inserter(arguments));
-  return arguments;
+// What is wrong with a word that is neither an option nor a verb, or with none.
+std::string why_no_verb(const std::string& word, const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* verb : listed_verbs(app)) names.push_back(verb->get_name());
+  const std::string meant = spec::did_you_mean(word, names);
+  return (word.empty() ? "a verb is missing" : "no verb \"" + word + '"') +
+         (meant.empty() ? "; there are " + CLI::detail::join(names, ", ") : meant);
+}
+
+std::string why_no_option(const std::string& word, const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : names_of(*option)) names.push_back(name);
+  return "no option " + word + spec::did_you_mean(word, names);
 }
 
 }  // namespace
 
-CommandLine::CommandLine() : app_(std::make_unique<CLI::App>("", "toolcomp")) {
+CommandLine::CommandLine() : app_(std::make_unique<CLI::App>(kAbout, "toolcomp")) {
   app_->require_subcommand(1);
-  app_->set_version_flag("-V,--version", "toolcomp " TOOLCOMP_VERSION, "Print the version")->group(kCommon);
-  take_manners(app_.get());
+  app_->formatter(std::make_shared<Help>(columns_of(Stream::out)));
   define_programs(*this);
   define_certificates(*this);
   define_fuzzing(*this);
   define_reference(*this);
   define_shell(*this);
+  app_->footer(kFooter);
+  app_->set_version_flag("-V,--version", "toolcomp " TOOLCOMP_VERSION, "Print the version")->group(kCommonOptions);
+  take_manners(app_.get());
 }
 
 CommandLine::~CommandLine() = default;
 
-// Where a program is started once more, the later word counts.
+// Last, and of every verb. Where a program is started once more, the later word counts.
 void CommandLine::take_manners(CLI::App* app) {
   app->add_flag_callback(
          "-q,--quiet", [this] { loudness_ = Loudness::quiet; },
          "No progress and no notes on standard error; errors and data stay")
-      ->group(kCommon);
+      ->group(kCommonOptions);
   app->add_flag_callback(
          "-v,--verbose", [this] { loudness_ = Loudness::verbose; },
          "Say what is read, engine, seed and time spent, on standard error")
-      ->group(kCommon);
+      ->group(kCommonOptions);
   choose(app, "--color", coloring_, kColorings,
          "When output has colors (default: auto, on a terminal; NO_COLOR and CLICOLOR_FORCE are honoured)")
-      ->group(kCommon);
-  app->set_help_flag("-h,--help", "Print this help")->group(kCommon);
+      ->group(kCommonOptions);
+  app->set_help_flag("-h,--help", "Print this help")->group(kCommonOptions);
+  for (CLI::App* verb : app->get_subcommands({})) take_manners(verb);
 }
 
 CLI::App* CommandLine::verb(const std::string& name, const std::string& about, std::function<int()> action) {
-  CLI::App* sub = unlisted(name, about, std::move(action));
-  sub->group("Verbs");
-  return sub;
+  return verb(app_.get(), name, about, std::move(action));
+}
+
+CLI::App* CommandLine::family(const std::string& name, const std::string& about) {
+  return add(app_.get(), name, about)->require_subcommand(1);
+}
+
+CLI::App* CommandLine::verb(CLI::App* family, const std::string& name, const std::string& about,
+                            std::function<int()> action) {
+  return add(family, name, about)->callback([this, action = std::move(action)] { action_ = action; });
 }
 
 CLI::App* CommandLine::unlisted(const std::string& name, const std::string& about, std::function<int()> action) {
-  CLI::App* sub = app_->add_subcommand(name, about);
-  take_manners(sub);
-  sub->callback([this, action = std::move(action)] { action_ = action; });
-  return sub->group("");
+  return verb(name, about, std::move(action))->group("");
 }
-
-std::vector<VerbText> CommandLine::verbs() const {
-  std::vector<VerbText> list;
-  for (const CLI::App* sub : app_->get_subcommands({}))
-    list.push_back({sub->get_name(), sub->get_description(), !sub->get_group().empty(), options_of(*sub)});
-  return list;
-}
-
-std::vector<OptionText> CommandLine::options() const { return options_of(*app_); }
 
 std::string CommandLine::typed() const {
   constexpr std::string_view kUnquoted = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789+,-./:=@_";
@@ -124,37 +159,21 @@ std::string CommandLine::typed() const {
   return line;
 }
 
-void CommandLine::expect_verb(const std::string& word) const {
-  std::vector<std::string> names;
-  for (const CLI::App* sub : app_->get_subcommands({})) {
-    if (sub->get_name() == word) return;
-    if (!sub->get_group().empty()) names.push_back(sub->get_name());
-  }
-  std::string meant = spec::did_you_mean(word, names);
-  if (meant.empty())
-    for (const std::string& name : names) meant += (meant.empty() ? "; there are " : ", ") + name;
-  throw spec::InputError("toolcomp", 0, 0, "no verb \"" + word + '"' + meant);
-}
-
-// The verb that was read, or the program itself.
-const CLI::App* CommandLine::called() const {
-  const auto subs = app_->get_subcommands();
-  return subs.empty() ? app_.get() : subs.front();
-}
-
-// One line that says what is wrong.
+// One line that says what is wrong with the verb that was read, or with the program itself.
 int CommandLine::refuse(const CLI::ParseError& error) const {
-  const CLI::App* const verb = called();
-  const std::string name = verb == app_.get() ? "toolcomp" : "toolcomp " + verb->get_name();
-  std::string what = error.what();
-  // Whatever else is missing: a word that is no option is what went wrong first.
-  for (const std::string& word : verb->remaining()) {
-    if (word.size() < 2 || word.front() != '-') continue;
-    const std::string given = word.substr(0, word.find('='));
-    std::vector<std::string> names;
-    for (const OptionText& option : options_of(*verb))
-      if (!option.argument) names.insert(names.end(), option.names.begin(), option.names.end());
-    what = "no option " + given + spec::did_you_mean(given, names);
+  const CLI::App* app = app_.get();
+  std::string name = app->get_name();
+  while (app->remaining().empty() && !app->get_subcommands().empty()) {
+    app = app->get_subcommands().front();
+    name += ' ' + app->get_name();
+  }
+  const bool has_verbs = !listed_verbs(*app).empty();
+  std::string what = has_verbs ? why_no_verb("", *app) : error.what();
+  // Whatever else is missing: a word that is not known is what went wrong first.
+  for (const std::string& word : app->remaining()) {
+    const bool option = word.size() > 1 && word.front() == '-';
+    if (!option && !has_verbs) continue;
+    what = option ? why_no_option(word.substr(0, word.find('=')), *app) : why_no_verb(word, *app);
     break;
   }
   const std::string more = what.ends_with('?') ? "" : "; `" + name + " --help` says more";
@@ -166,7 +185,7 @@ int CommandLine::execute(int argc, char** argv) {
   words_.assign(argv, argv + argc);
   std::vector<std::string> words(words_.begin() + 1, words_.end());
   if (words.empty()) {
-    std::cerr << first_steps();
+    std::cerr << kFirstSteps;
     return kBadInput;
   }
   // `toolcomp help run`, as other commands have it.
@@ -176,20 +195,14 @@ int CommandLine::execute(int argc, char** argv) {
   }
   // What a completion script asks: any words, finished or not.
   if (words.front() == "complete") {
-    std::cout << completions(*this, {words.begin() + 1, words.end()});
+    std::cout << completions(*app_, {words.begin() + 1, words.end()});
     return kAgrees;
   }
-  if (!words.front().starts_with('-')) expect_verb(words.front());
   try {
     std::ranges::reverse(words);
     app_->parse(words);
   } catch (const CLI::CallForHelp&) {
-    const CLI::App* const verb = called();
-    const std::size_t columns = columns_of(Stream::out);
-    if (verb == app_.get())
-      std::cout << help(verbs(), options(), columns);
-    else
-      std::cout << help({verb->get_name(), verb->get_description(), true, options_of(*verb)}, columns);
+    std::cout << app_->help();
     return kAgrees;
   } catch (const CLI::CallForVersion& version) {
     std::cout << version.what() << '\n';

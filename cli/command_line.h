@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command line: verbs with their options, and what help, manual pages and completion are made of.
+// The command line: verbs with their options, declared once with CLI11; help, completion and manual pages are made by
+// walking them.
 #pragma once
 
 #include <functional>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "cli/manners.h"
@@ -17,27 +17,6 @@ class ParseError;
 
 namespace toolcomp::cli {
 
-// An option, or an argument that stands by its place.
-struct OptionText {
-  std::vector<std::string> names;  // "-q", "--quiet"; of an argument its name alone
-  std::string value;               // what it takes: FILE, FOLDER, SECTION, N, "a|b|c", …; empty: nothing, a flag
-  std::string text;                // one or two sentences without the last point
-  bool argument = false;
-  bool required = false;
-  bool repeated = false;
-  bool common = false;  // every verb has it
-
-  // The long name, or the only one.
-  [[nodiscard]] const std::string& name() const { return names.back(); }
-};
-
-struct VerbText {
-  std::string name;
-  std::string about;
-  bool listed = true;
-  std::vector<OptionText> options;  // arguments first, common ones last
-};
-
 // One parser, one action: each verb adds its options, and the call to make.
 class CommandLine {
  public:
@@ -47,27 +26,25 @@ class CommandLine {
   CommandLine& operator=(const CommandLine&) = delete;
 
   // A verb to which options can be added; `action` is called with what the command line gave, and returns the exit
-  // status. One that is not listed is for this program alone.
+  // status. `about` begins with a line that says what it does, without a point; the lines that follow are paragraphs.
   CLI::App* verb(const std::string& name, const std::string& about, std::function<int()> action);
+  // One that has verbs of its own, and one of these.
+  CLI::App* family(const std::string& name, const std::string& about);
+  CLI::App* verb(CLI::App* family, const std::string& name, const std::string& about, std::function<int()> action);
+  // One for this program alone.
   CLI::App* unlisted(const std::string& name, const std::string& about, std::function<int()> action);
 
-  // The verbs in the order of their definition.
-  [[nodiscard]] std::vector<VerbText> verbs() const;
-  // Options before any verb.
-  [[nodiscard]] std::vector<OptionText> options() const;
+  [[nodiscard]] const CLI::App& program() const { return *app_; }
 
   // The words of the command line, and the same as a shell reads them.
   [[nodiscard]] const std::vector<std::string>& words() const { return words_; }
   [[nodiscard]] std::string typed() const;
 
-  // Reads the words, does what they say, returns the exit status. Throws what verbs throw, and spec::InputError for a
-  // verb that there is not.
+  // Reads the words, does what they say, returns the exit status. Throws what verbs throw.
   int execute(int argc, char** argv);
 
  private:
   void take_manners(CLI::App* app);
-  void expect_verb(const std::string& word) const;
-  [[nodiscard]] const CLI::App* called() const;
   int refuse(const CLI::ParseError& error) const;
 
   std::unique_ptr<CLI::App> app_;
@@ -78,7 +55,7 @@ class CommandLine {
 };
 
 // The verbs, file by file (options_*.cpp).
-void define_programs(CommandLine& line);      // run, diff, explain, serve
+void define_programs(CommandLine& line);      // run, diff, explain, view, serve
 void define_certificates(CommandLine& line);  // certify, verify, replay, kit
 void define_fuzzing(CommandLine& line);       // fuzz, and what a campaign calls
 void define_reference(CommandLine& line);     // corpus, spec, config

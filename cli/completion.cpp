@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
+#include <utility>
 
 #include "cli/adapter_names.h"
+#include "cli/help.h"
 #include "fuzz/campaign/target.h"
 #include "fuzz/gen/generator.h"
 #include "spec/clauses/clauses.h"
@@ -16,7 +17,7 @@ namespace {
 // Collects the candidates that begin with a word.
 class Candidates {
  public:
-  explicit Candidates(std::string_view word) : word_(word) {}
+  explicit Candidates(std::string word) : word_(std::move(word)) {}
 
   void add(std::string_view candidate, std::string_view what) {
     if (!candidate.starts_with(word_)) return;
@@ -33,14 +34,14 @@ class Candidates {
   std::string take() { return std::move(text_); }
 
  private:
-  std::string_view word_;
+  std::string word_;
   std::string text_;
 };
 
 // What an option's word stands for.
 void add_values(Candidates& candidates, const std::string& value) {
   if (value.find('|') != std::string::npos) return candidates.add_all(value);
-  if (value == "SECTION" || value == "SECTION,…")
+  if (value == "SECTION")
     for (const std::string_view section : fuzz::sections()) candidates.add(section, "section");
   if (value == "CLAUSE")
     for (const spec::ClauseInfo& clause : spec::clauses())
@@ -54,35 +55,17 @@ void add_values(Candidates& candidates, const std::string& value) {
   if (value == "FOLDER") candidates.ask("folders");
 }
 
-// An argument whose meaning depends on the one before it, by verb and that one: what it takes there, or nothing.
-std::string value_behind(const std::string& verb, const std::string& first, const std::string& value) {
-  static const std::map<std::string, std::string> kTaken{{"spec show", "CLAUSE"},
-                                                         {"config check", "FILE"},
-                                                         {"config schema", "setup|case|event|hello|answer"},
-                                                         {"corpus diff", "FOLDER"},
-                                                         {"corpus merge", "FOLDER"}};
-  if (verb == "kit") return first == "judge" ? value : "";
-  if (verb != "spec" && verb != "config" && verb != "corpus") return value;
-  const auto found = kTaken.find(verb + ' ' + first);
-  return found == kTaken.end() ? "" : found->second;
-}
-
-// The words between the verb and the one to be completed.
+// What the words before the one to be completed come to.
 struct Given {
-  std::vector<std::string> arguments;
-  std::vector<std::string> options;
-  const OptionText* waits = nullptr;  // the option whose value comes next
-  bool ended = false;                 // by --
+  const CLI::App* app = nullptr;  // the verb, or the program; none: a verb that there is not
+  std::vector<const CLI::Option*> options;
+  const CLI::Option* waits = nullptr;  // the option whose value comes next
+  std::size_t arguments = 0;
+  bool ended = false;  // by --
 };
 
-const OptionText* find(const std::vector<OptionText>& options, const std::string& name) {
-  const auto found = std::ranges::find_if(
-      options, [&](const OptionText& o) { return std::ranges::find(o.names, name) != o.names.end(); });
-  return found == options.end() || found->argument ? nullptr : &*found;
-}
-
-Given read(const std::vector<OptionText>& options, const std::vector<std::string>& words) {
-  Given given;
+Given read(const CLI::App& program, const std::vector<std::string>& words) {
+  Given given{&program, {}, nullptr, 0, false};
   for (const std::string& word : words) {
     if (word == "=") continue;  // a shell that parts words there
     if (given.waits != nullptr) {
@@ -91,55 +74,32 @@ Given read(const std::vector<OptionText>& options, const std::vector<std::string
       given.ended = true;
     } else if (!given.ended && word.size() > 1 && word.front() == '-') {
       const std::size_t equals = word.find('=');
-      given.options.push_back(word.substr(0, equals));
-      const OptionText* const option = find(options, given.options.back());
-      if (option != nullptr && !option->value.empty() && equals == std::string::npos) given.waits = option;
+      const CLI::Option* const option = given.app->get_option_no_throw(word.substr(0, equals));
+      if (option == nullptr) continue;
+      given.options.push_back(option);
+      if (takes_value(*option) && equals == std::string::npos) given.waits = option;
+    } else if (const auto verbs = listed_verbs(*given.app); !verbs.empty()) {
+      const auto verb = std::ranges::find(verbs, word, &CLI::App::get_name);
+      given.app = verb == verbs.end() ? nullptr : *verb;
+      if (given.app == nullptr) return given;
     } else {
-      given.arguments.push_back(word);
+      ++given.arguments;
     }
   }
   return given;
 }
 
-void add_options(Candidates& candidates, const std::vector<OptionText>& options, const Given& given) {
-  for (const OptionText& option : options) {
-    if (option.argument) continue;
-    const bool there = std::ranges::any_of(option.names, [&](const std::string& name) {
-      return std::ranges::find(given.options, name) != given.options.end();
-    });
-    if (!there || option.repeated) candidates.add(option.name(), option.text);
-  }
+void add_options(Candidates& candidates, const Given& given) {
+  for (const CLI::Option* option : options_of(*given.app))
+    if (is_repeated(*option) || std::ranges::find(given.options, option) == given.options.end())
+      candidates.add(names_of(*option).back(), text_of(*option));
 }
 
-void add_argument(Candidates& candidates, const VerbText& verb, const Given& given) {
+void add_argument(Candidates& candidates, const Given& given) {
+  for (const CLI::App* verb : listed_verbs(*given.app)) candidates.add(verb->get_name(), summary_of(*verb));
   std::size_t place = 0;
-  for (const OptionText& option : verb.options) {
-    if (!option.argument) continue;
-    if (place == given.arguments.size() || option.repeated) {
-      add_values(candidates,
-                 place == 0 ? option.value : value_behind(verb.name, given.arguments.front(), option.value));
-      return;
-    }
-    ++place;
-  }
-}
-
-std::string of_verb(const VerbText& verb, const std::vector<std::string>& words, const std::string& word) {
-  const Given given = read(verb.options, words);
-  const std::size_t equals = word.find('=');
-  if (given.waits == nullptr && !given.ended && word.starts_with("--") && equals != std::string::npos) {
-    Candidates values(std::string_view(word).substr(equals + 1));
-    if (const OptionText* const option = find(verb.options, word.substr(0, equals))) add_values(values, option->value);
-    return values.take();
-  }
-  Candidates candidates(word == "=" ? std::string_view() : std::string_view(word));
-  if (given.waits != nullptr)
-    add_values(candidates, given.waits->value);
-  else if (!given.ended && word.starts_with('-'))
-    add_options(candidates, verb.options, given);
-  else
-    add_argument(candidates, verb, given);
-  return candidates.take();
+  for (const CLI::Option* argument : arguments_of(*given.app))
+    if (place++ == given.arguments || is_repeated(*argument)) return add_values(candidates, argument->get_type_name());
 }
 
 constexpr std::string_view kBash = R"shell(# bash completion for toolcomp: the command itself says what may stand where.
@@ -211,26 +171,28 @@ std::string_view completion_script(std::string_view shell) {
   return shell == "bash" ? kBash : shell == "zsh" ? kZsh : kFish;
 }
 
-std::string completions(const CommandLine& line, const std::vector<std::string>& words) {
+std::string completions(const CLI::App& program, std::vector<std::string> words) {
   if (words.empty()) return "";
-  const std::vector<std::string> before(words.begin(), words.end() - 1);
-  const std::vector<VerbText> verbs = line.verbs();
-  const VerbText program{"", "", true, line.options()};
-  // The verb is the first word that is neither an option nor the value of one.
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    const Given given = read(program.options, {before.begin(), before.begin() + static_cast<std::ptrdiff_t>(i) + 1});
-    if (given.arguments.empty() || given.arguments.front() == "help") continue;
-    const auto verb = std::ranges::find(verbs, given.arguments.back(), &VerbText::name);
-    if (verb == verbs.end() || !verb->listed) return "";
-    if (given.arguments.size() > 1) return "";  // behind help
-    return of_verb(*verb, {before.begin() + static_cast<std::ptrdiff_t>(i) + 1, before.end()}, words.back());
+  const std::string word = words.back() == "=" ? "" : words.back();
+  words.pop_back();
+  const bool help = !words.empty() && words.front() == "help";
+  if (help) words.erase(words.begin());
+  const Given given = read(program, words);
+  if (given.app == nullptr) return "";
+  const bool option = given.waits == nullptr && !given.ended && word.starts_with('-');
+  const std::size_t equals = option ? word.find('=') : std::string::npos;
+  Candidates candidates(equals == std::string::npos ? word : word.substr(equals + 1));
+  if (equals != std::string::npos) {
+    if (const CLI::Option* const named = given.app->get_option_no_throw(word.substr(0, equals)))
+      add_values(candidates, named->get_type_name());
+  } else if (given.waits != nullptr) {
+    add_values(candidates, given.waits->get_type_name());
+  } else if (option) {
+    add_options(candidates, given);
+  } else {
+    add_argument(candidates, given);
+    if (words.empty() && !help) candidates.add("help", "What a verb takes");
   }
-  if (read(program.options, before).waits != nullptr || words.back().starts_with('-'))
-    return of_verb(program, before, words.back());
-  Candidates candidates(words.back());
-  for (const VerbText& verb : verbs)
-    if (verb.listed) candidates.add(verb.name, verb.about);
-  candidates.add("help", "What a verb takes");
   return candidates.take();
 }
 

@@ -6,7 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/command_line.h"
+namespace CLI {
+class App;
+}
 
 namespace toolcomp::cli {
 
@@ -15,6 +17,6 @@ std::string_view completion_script(std::string_view shell);
 
 // What may stand for the last of these words, which follow `toolcomp`: lines of a word, a tab and what it is; or
 // ":files", ":folders" where names of files or folders may. Of "--option=wo" the words are those behind "=".
-std::string completions(const CommandLine& line, const std::vector<std::string>& words);
+std::string completions(const CLI::App& program, std::vector<std::string> words);
 
 }  // namespace toolcomp::cli

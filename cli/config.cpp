@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // toolcomp config: setups and cases.
-#include <array>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -13,13 +12,37 @@
 #include "spec/language/data_folder.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
-#include "spec/language/suggestion.h"
 
 namespace toolcomp::cli {
 namespace {
 
-int check(const std::string& file) {
-  if (file.empty()) throw spec::InputError("config check", 0, 0, "name a setup or a case");
+// Where the schema of setups lies, for editors that read TOML by schemas.
+std::optional<std::filesystem::path> schema_file() {
+  for (const char* const folder : {"", "corpus/schema"}) {
+    std::filesystem::path file = spec::data_folder() / folder / "setup.schema.json";
+    if (std::filesystem::is_regular_file(file)) return file;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+int config_example(const std::string& control) {
+  if (const auto file = schema_file()) std::cout << "#:schema " << file->string() << '\n';
+  std::cout << spec::setup_example(control == "heidenhain" ? spec::Control::heidenhain : spec::Control::fanuc);
+  return kAgrees;
+}
+
+int config_schema(const std::string& name) {
+  std::cout << (name == "case"     ? spec::case_schema()
+                : name == "event"  ? spec::event_schema()
+                : name == "hello"  ? spec::hello_schema()
+                : name == "answer" ? spec::answer_schema()
+                                   : spec::setup_schema());
+  return kAgrees;
+}
+
+int config_check(const std::string& file) {
   detail("reads " + file);
   const std::string text = spec::read_file(file);
   const auto has = [&text](std::string_view name) { return text.find(name) != std::string::npos; };
@@ -39,41 +62,6 @@ int check(const std::string& file) {
   }
   note(file + ": " + (is_case ? "a valid case" : "a valid setup"));
   return kAgrees;
-}
-
-std::string_view schema(const std::string& name) {
-  if (name.empty() || name == "setup") return spec::setup_schema();
-  if (name == "case") return spec::case_schema();
-  if (name == "event") return spec::event_schema();
-  if (name == "hello") return spec::hello_schema();
-  if (name == "answer") return spec::answer_schema();
-  throw spec::InputError("config schema", 0, 0,
-                         "no schema \"" + name + "\"; there are setup, case, event, hello, answer" +
-                             spec::did_you_mean(name, std::array{"setup", "case", "event", "hello", "answer"}));
-}
-
-// Where the schema of setups lies, for editors that read TOML by schemas.
-std::optional<std::filesystem::path> schema_file() {
-  for (const char* const folder : {"", "corpus/schema"}) {
-    std::filesystem::path file = spec::data_folder() / folder / "setup.schema.json";
-    if (std::filesystem::is_regular_file(file)) return file;
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
-int config(const ConfigOptions& options) {
-  if (options.verb == "schema") {
-    std::cout << schema(options.file);
-    return kAgrees;
-  }
-  if (options.verb == "example") {
-    if (const auto file = schema_file()) std::cout << "#:schema " << file->string() << '\n';
-    std::cout << spec::setup_example(options.control == "fanuc" ? spec::Control::fanuc : spec::Control::heidenhain);
-    return kAgrees;
-  }
-  return check(options.file);
 }
 
 }  // namespace toolcomp::cli

@@ -9,7 +9,6 @@
 #include "cli/manners.h"
 #include "cli/program.h"
 #include "cli/progress.h"
-#include "cli/stop.h"
 #include "cli/verbs.h"
 #include "corpus/check.h"
 #include "corpus/contour.h"
@@ -19,11 +18,9 @@
 #include "corpus/generate.h"
 #include "corpus/hard.h"
 #include "corpus/lint.h"
-#include "corpus/mine/mine.h"
 #include "corpus/proofs/proofs.h"
 #include "corpus/shard.h"
 #include "corpus/vector.h"
-#include "spec/language/case_format.h"
 #include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
 
@@ -33,7 +30,9 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path folder_of(const CorpusOptions& options) {
-  return options.directory.empty() ? corpus::default_folder() : fs::path(options.directory);
+  const fs::path folder = options.directory.empty() ? corpus::default_folder() : fs::path(options.directory);
+  detail("corpus " + folder.string());
+  return folder;
 }
 
 corpus::Selection selection_of(const CorpusOptions& options) {
@@ -74,19 +73,33 @@ int report(const corpus::GenerateResult& result, const std::string& seed) {
   return kAgrees;
 }
 
-int generate(const CorpusOptions& options) {
+// Writes the program named by --out and its setup beside it, whose place it returns.
+std::string write_program(const LongProgramOptions& options, const std::string& text, const std::string& setup_text) {
+  const fs::path program = fs::absolute(options.out);
+  fs::path setup = program;
+  setup.replace_extension(".toml");
+  expect_folder(program.parent_path(), "--out");
+  if (fs::is_directory(program)) throw spec::InputError(options.out, 0, 0, "is a folder");
+  if (setup == program) throw spec::InputError(options.out, 0, 0, "the ending .toml is that of the setup beside it");
+  spec::write_file(setup, setup_text);
+  spec::write_file(program, text);
+  return setup.string();
+}
+
+}  // namespace
+
+int corpus_generate(const CorpusOptions& options) {
   if (!options.shard.empty()) return generate_shard(options);
   const Progress progress("vectors");
   return report(corpus::generate(generate_options(options)), fmt::format("seed {}", options.seed));
 }
 
-int merge(const CorpusOptions& options) {
-  if (options.against.empty()) throw spec::InputError("toolcomp corpus merge", 0, 0, "name the folder of the shards");
+int corpus_merge(const CorpusOptions& options) {
   const Progress progress("vectors");
   return report(corpus::merge_shards(options.against, generate_options(options)), "merged");
 }
 
-int check(const CorpusOptions& options) {
+int corpus_check(const CorpusOptions& options) {
   corpus::CheckOptions how;
   how.folder = folder_of(options);
   how.selection = selection_of(options);
@@ -102,15 +115,13 @@ int check(const CorpusOptions& options) {
   return result.undecided > 0 || result.values == 0 ? kUndecided : kAgrees;
 }
 
-int lint(const CorpusOptions& options) {
+int corpus_lint(const CorpusOptions& options) {
   const std::vector<std::string> breaches = corpus::lint(folder_of(options));
   for (const std::string& breach : breaches) fmt::print("{}\n", breach);
   return breaches.empty() ? kAgrees : kDiffers;
 }
 
-int diff(const CorpusOptions& options) {
-  if (options.against.empty())
-    throw spec::InputError("toolcomp corpus diff", 0, 0, "name the folder of the other corpus");
+int corpus_diff(const CorpusOptions& options) {
   const std::vector<spec::Case> before = corpus::read_golden(options.against);
   const std::vector<spec::Case> after = corpus::read_golden(folder_of(options));
   const std::vector<corpus::Change> changes = corpus::diff(before, after);
@@ -121,20 +132,7 @@ int diff(const CorpusOptions& options) {
   return changes.empty() ? kAgrees : kDiffers;
 }
 
-// Each case a file; toolcomp replay takes it.
-void write_met(const std::string& folder, std::vector<corpus::Met> cases, std::string_view what) {
-  for (corpus::Met& met : cases) {
-    met.c.id = corpus::vector_id(met.c);
-    met.c.expect.clear();
-    met.c.has_expect = false;
-    const fs::path file = fs::path(folder) / (met.c.id + ".json");
-    spec::write_file(file, spec::write_case(met.c));
-    fmt::print("{}: {}: {}\n", what, file.string(), met.what);
-  }
-}
-
-int proofs(const CorpusOptions& options) {
-  if (options.into.empty()) throw spec::InputError("toolcomp corpus proofs", 0, 0, "name the folder to write: --into");
+int corpus_proofs(const CorpusOptions& options) {
   corpus::ProofOptions how;
   how.sections = options.sections;
   how.a_section = options.sample;
@@ -146,44 +144,11 @@ int proofs(const CorpusOptions& options) {
   return kAgrees;
 }
 
-int mine(const CorpusOptions& options) {
-  if (options.into.empty()) throw spec::InputError("toolcomp corpus mine", 0, 0, "name the folder to write: --into");
-  if (options.runs != 0 && !options.duration.empty())
-    throw spec::InputError("toolcomp corpus mine", 0, 0, "--for or --runs, not both");
-  corpus::MineOptions how;
-  how.sections = options.sections;
-  how.seed = options.seed;
-  how.jobs = options.jobs;
-  how.runs = options.runs;
-  if (options.runs == 0)
-    how.seconds =
-        static_cast<double>(duration_of(options.duration.empty() ? "10m" : options.duration, "--for").count());
-  const Stop stop;
-  how.stop = [&stop] { return !stop.why().empty(); };
-  const Progress progress("runs");
-  how.progress = [](const std::string& section, std::uint64_t runs) {
-    Progress::line(fmt::format("{}: {} runs", section, runs));
-  };
-  const bool begun = fs::exists(fs::path(options.into) / "manifest.json");
-  corpus::MineResult result = corpus::mine(begun ? corpus::read_hard(options.into) : corpus::HardCases(), how);
-  const std::size_t nearest = result.hard.nearest.size();
-  const std::size_t worst = result.hard.worst.size();
-  const bool differ = !result.differ.empty();
-  write_met(options.findings, std::move(result.differ), "FINDING");
-  write_met(options.findings, std::move(result.undecided), "undecided");
-  corpus::write_hard(options.into, std::move(result.hard));
-  if (const std::string why = stop.why(); !why.empty())
-    fmt::print(stderr, "{}: what was found until then is written\n", why);
-  fmt::print("seed {}; {} runs; {} nearest cases, {} largest deviations; {} cases larger than what is searched\n",
-             options.seed, result.runs, nearest, worst, result.not_searched);
-  return differ ? kDiffers : kAgrees;
-}
-
-int hard(const CorpusOptions& options) {
+int corpus_hard(const CorpusOptions& options) {
   const Progress progress("cases");
-  const corpus::HardCheck result =
-      corpus::check_hard(options.directory.empty() ? corpus::hard_folder() : fs::path(options.directory),
-                         options.sections, [](std::uint64_t done) { Progress::count(done); });
+  const fs::path folder = options.directory.empty() ? corpus::hard_folder() : fs::path(options.directory);
+  const corpus::HardCheck result = corpus::check_hard(corpus::read_hard(folder), options.sections,
+                                                      [](std::uint64_t done) { Progress::count(done); });
   for (const std::string& failure : result.failures) fmt::print("{}\n", failure);
   fmt::print("{} hard cases, {} statements, {} deviations smaller than stated, {} failures\n", result.cases,
              result.statements, result.lower, result.failures.size());
@@ -191,82 +156,26 @@ int hard(const CorpusOptions& options) {
   return result.cases == 0 ? kUndecided : kAgrees;
 }
 
-// Writes the program named by --out and its setup beside it, whose place it returns.
-std::string write_program(const CorpusOptions& options, const std::string& text, const std::string& setup_text) {
-  const fs::path program = fs::absolute(options.out);
-  fs::path setup = program;
-  setup.replace_extension(".toml");
-  expect_folder(program.parent_path(), "--out");
-  if (fs::is_directory(program)) throw spec::InputError(options.out, 0, 0, "is a folder");
-  if (setup == program) throw spec::InputError(options.out, 0, 0, "the ending .toml is that of the setup beside it");
-  spec::write_file(setup, setup_text);
-  spec::write_file(program, text);
-  return setup.string();
-}
-
-void expect_program_name(const CorpusOptions& options) {
-  if (options.out.empty())
-    throw spec::InputError("toolcomp corpus " + options.verb, 0, 0, "name the program to write: --out");
-}
-
-void expect_blocks(const CorpusOptions& options, std::size_t least, std::size_t most) {
-  if (options.blocks && (*options.blocks < least || *options.blocks > most))
-    throw spec::InputError("toolcomp corpus " + options.verb, 0, 0, fmt::format("--blocks: {} to {}", least, most));
-}
-
-int contour(const CorpusOptions& options) {
-  constexpr std::size_t kMost = 100'000'000;
-  expect_program_name(options);
-  expect_blocks(options, corpus::kLeastContour, kMost);
-  corpus::ContourOptions how = options.contour;
-  how.blocks = options.blocks.value_or(how.blocks);
-  how.seed = options.seed;
-  const corpus::Contour made = corpus::make_contour(how);
+int corpus_contour(const LongProgramOptions& options) {
+  const corpus::Contour made = corpus::make_contour(options.contour);
   const std::string setup = write_program(options, made.program, made.setup);
-  fmt::print("seed {}; {} lines, {} arcs; setup {}\n", options.seed, made.lines, made.arcs, setup);
+  fmt::print("seed {}; {} lines, {} arcs; setup {}\n", options.contour.seed, made.lines, made.arcs, setup);
   if (made.alarm_line) fmt::print("{} arcs that lose vectors; PS0041 at line {}\n", made.dropped, *made.alarm_line);
   return kAgrees;
 }
 
-int flank(const CorpusOptions& options) {
-  expect_program_name(options);
-  expect_blocks(options, corpus::kLeastFlank, corpus::kMostFlank);
-  corpus::FlankOptions how;
-  how.blocks = options.blocks.value_or(how.blocks);
-  how.tool = options.tool;
-  const corpus::Flank made = corpus::make_flank(how);
+int corpus_flank(const LongProgramOptions& options) {
+  const corpus::Flank made = corpus::make_flank(options.flank);
   const std::string setup = write_program(options, made.program, made.setup);
-  fmt::print("{} blocks in {} passes; setup {}\n", how.blocks, made.passes, setup);
+  fmt::print("{} blocks in {} passes; setup {}\n", options.flank.blocks, made.passes, setup);
   return kAgrees;
 }
 
-int freeform(const CorpusOptions& options) {
-  expect_program_name(options);
-  expect_blocks(options, corpus::kLeastFreeform, corpus::kMostFreeform);
-  corpus::FreeformOptions how;
-  how.blocks = options.blocks.value_or(how.blocks);
-  how.tool_vector = !options.no_tool_vector;
-  const corpus::Freeform made = corpus::make_freeform(how);
+int corpus_freeform(const LongProgramOptions& options) {
+  const corpus::Freeform made = corpus::make_freeform(options.freeform);
   const std::string setup = write_program(options, made.program, made.setup);
-  fmt::print("{} LN blocks in {} passes; setup {}\n", how.blocks, made.passes, setup);
+  fmt::print("{} LN blocks in {} passes; setup {}\n", options.freeform.blocks, made.passes, setup);
   return kAgrees;
-}
-
-}  // namespace
-
-int corpus(const CorpusOptions& options) {
-  detail(fmt::format("corpus {}, seed {}, {} jobs", folder_of(options).string(), options.seed, options.jobs));
-  if (options.verb == "generate") return generate(options);
-  if (options.verb == "merge") return merge(options);
-  if (options.verb == "check") return check(options);
-  if (options.verb == "lint") return lint(options);
-  if (options.verb == "proofs") return proofs(options);
-  if (options.verb == "mine") return mine(options);
-  if (options.verb == "hard") return hard(options);
-  if (options.verb == "contour") return contour(options);
-  if (options.verb == "flank") return flank(options);
-  if (options.verb == "freeform") return freeform(options);
-  return diff(options);
 }
 
 }  // namespace toolcomp::cli

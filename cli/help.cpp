@@ -2,7 +2,6 @@
 #include "cli/help.h"
 
 #include <algorithm>
-#include <array>
 
 namespace toolcomp::cli {
 namespace {
@@ -18,7 +17,8 @@ std::size_t characters(std::string_view text) {
 }
 
 // The words of a text in lines of so many columns; the first line goes on at `column`.
-void wrap(std::string& out, std::string_view text, std::size_t column, std::size_t indent, std::size_t columns) {
+std::string wrapped(std::string_view text, std::size_t column, std::size_t indent, std::size_t columns) {
+  std::string out;
   bool first = true;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find(' '), text.size());
@@ -35,98 +35,104 @@ void wrap(std::string& out, std::string_view text, std::size_t column, std::size
     column += size + (first ? 0 : 1);
     first = false;
   }
-  out += '\n';
-}
-
-void entry(std::string& out, std::string_view name, std::string_view text, std::size_t columns) {
-  // Little room: texts below names.
-  const std::size_t texts = columns < 2 * kTexts ? 2 * kIndent : kTexts;
-  out.append(kIndent, ' ').append(name);
-  std::size_t column = kIndent + characters(name);
-  if (text.empty()) {
-    out += '\n';
-    return;
-  }
-  if (column + 1 > texts - 1) {
-    out += '\n';
-    column = 0;
-  }
-  out.append(texts - column, ' ');
-  wrap(out, text, texts, texts, columns);
-}
-
-std::size_t sensible(std::size_t columns) { return std::clamp(columns, kNarrowest, kWidest); }
-
-template <class Wanted>
-void entries(std::string& out, std::string_view title, const std::vector<OptionText>& options, std::size_t columns,
-             Wanted wanted) {
-  bool any = false;
-  for (const OptionText& option : options) {
-    if (!wanted(option)) continue;
-    if (!any) out.append("\n").append(title).append(":\n");
-    any = true;
-    entry(out, usage(option), option.text, columns);
-  }
+  return out + '\n';
 }
 
 }  // namespace
 
-std::string usage(const OptionText& option) {
-  if (option.argument) return option.name() + (option.repeated ? "…" : "");
-  std::string text;
-  for (const std::string& name : option.names) text += (text.empty() ? "" : ", ") + name;
-  return option.value.empty() ? text : text + ' ' + option.value;
+std::vector<const CLI::App*> listed_verbs(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App* verb) { return !verb->get_group().empty(); });
 }
 
-std::string usage(const VerbText& verb) {
-  std::string text = "toolcomp " + verb.name;
-  for (const OptionText& option : verb.options) {
-    const std::string shown = option.argument ? usage(option) : option.name() + ' ' + option.value;
-    if (option.required)
-      text += ' ' + shown;
-    else if (option.argument)
-      text += " [" + shown + ']';
+std::string summary_of(const CLI::App& app) {
+  return app.get_description().substr(0, app.get_description().find('\n'));
+}
+
+std::vector<std::string> paragraphs_of(const CLI::App& app) {
+  std::vector<std::string> list = CLI::detail::split(app.get_description(), '\n');
+  list.erase(list.begin());
+  return list;
+}
+
+std::string usage_of(const CLI::App& app, const std::string& name) {
+  std::string text = name;
+  for (const CLI::Option* argument : arguments_of(app))
+    text += ' ' + (argument->get_required() ? form_of(*argument) : '[' + form_of(*argument) + ']');
+  for (const CLI::Option* option : options_of(app))
+    if (option->get_required()) text += ' ' + names_of(*option).back() + ' ' + option->get_type_name();
+  return text + (listed_verbs(app).empty() ? "" : " VERB [ARGUMENT…]") + " [OPTION…]";
+}
+
+std::vector<const CLI::Option*> arguments_of(const CLI::App& app) {
+  return app.get_options([](const CLI::Option* option) { return option->get_positional(); });
+}
+
+std::vector<const CLI::Option*> options_of(const CLI::App& app) {
+  return app.get_options(
+      [](const CLI::Option* option) { return !option->get_positional() && !option->get_group().empty(); });
+}
+
+std::vector<std::string> names_of(const CLI::Option& option) {
+  std::vector<std::string> names;
+  for (const std::string& name : option.get_snames()) names.push_back('-' + name);
+  for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+bool takes_value(const CLI::Option& option) {
+  return option.get_type_size() != 0 && option.get_items_expected_max() > 0;
+}
+
+bool is_repeated(const CLI::Option& option) { return option.get_expected_max() > 1; }
+
+std::string form_of(const CLI::Option& option) {
+  if (option.get_positional()) return option.get_name(true, false) + (is_repeated(option) ? "…" : "");
+  return CLI::detail::join(names_of(option), ", ") + (takes_value(option) ? ' ' + option.get_type_name() : "");
+}
+
+std::string text_of(const CLI::Option& option) {
+  const std::string usual = option.get_default_str();
+  return option.get_description() + (usual.empty() ? "" : " (default: " + usual + ')');
+}
+
+Help::Help(std::size_t columns) : columns_(std::clamp(columns, kNarrowest, kWidest)) {
+  label("Positionals", "Arguments");
+}
+
+std::string Help::make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const {
+  std::string text = make_description(app) + '\n' + make_usage(app, std::move(name)) + make_positionals(app) +
+                     make_subcommands(app, mode) + make_groups(app, mode);
+  if (!app->get_footer().empty()) text += '\n' + make_footer(app);
+  return CLI::detail::find_and_replace(text, "\n\n\n", "\n\n");
+}
+
+std::string Help::make_description(const CLI::App* app) const {
+  std::string text = wrapped(summary_of(*app) + '.', 0, 0, columns_);
+  for (const std::string& paragraph : paragraphs_of(*app)) text += '\n' + wrapped(paragraph, 0, 0, columns_);
+  return text;
+}
+
+std::string Help::make_usage(const CLI::App* app, std::string name) const {
+  constexpr std::string_view kUsage = "Usage: ";
+  return std::string(kUsage) + wrapped(usage_of(*app, name), kUsage.size(), kUsage.size() + kIndent, columns_);
+}
+
+std::string Help::make_option(const CLI::Option* option, bool /*is_positional*/) const {
+  return entry(form_of(*option), text_of(*option));
+}
+
+std::string Help::make_subcommand(const CLI::App* sub) const { return entry(sub->get_name(), summary_of(*sub)); }
+
+std::string Help::entry(std::string_view name, std::string_view text) const {
+  // Little room: texts below names.
+  const std::size_t texts = columns_ < 2 * kTexts ? 2 * kIndent : kTexts;
+  std::string out = std::string(kIndent, ' ').append(name);
+  std::size_t column = kIndent + characters(name);
+  if (column + 2 > texts) {
+    out += '\n';
+    column = 0;
   }
-  return text + " [OPTION…]";
-}
-
-std::string first_steps() {
-  return "usage: toolcomp VERB [ARGUMENT…]\n"
-         "\n"
-         "  toolcomp config example > setup.toml      a setup to begin with\n"
-         "  toolcomp run PART.nc --setup setup.toml   what the control makes of a program, exactly\n"
-         "  toolcomp explain PART.nc                  why, block by block\n"
-         "  toolcomp certify --controller COMMAND     judge a control\n"
-         "\n"
-         "`toolcomp --help` lists the verbs, `toolcomp VERB --help` says what each takes.\n";
-}
-
-std::string help(const std::vector<VerbText>& verbs, const std::vector<OptionText>& options, std::size_t columns) {
-  columns = sensible(columns);
-  std::string out;
-  wrap(out,
-       "An exact reference of CNC tool compensation, a fast engine certified against it, and the harness that "
-       "certifies.",
-       0, 0, columns);
-  out += "\nUsage: toolcomp VERB [ARGUMENT…] [OPTION…]\n\nVerbs:\n";
-  for (const VerbText& verb : verbs)
-    if (verb.listed) entry(out, verb.name, verb.about, columns);
-  entries(out, "Options", options, columns, [](const OptionText&) { return true; });
-  out += "\nExit status:\n";
-  for (const StatusText& status : kStatusTexts) entry(out, std::to_string(status.status), status.text, columns);
-  return out + "\n`toolcomp VERB --help` says what a verb takes; `man toolcomp-VERB` has examples.\n";
-}
-
-std::string help(const VerbText& verb, std::size_t columns) {
-  columns = sensible(columns);
-  std::string out;
-  wrap(out, verb.about + '.', 0, 0, columns);
-  out += "\nUsage: ";
-  wrap(out, usage(verb), 7, 9, columns);
-  entries(out, "Arguments", verb.options, columns, [](const OptionText& o) { return o.argument; });
-  entries(out, "Options", verb.options, columns, [](const OptionText& o) { return !o.argument && !o.common; });
-  entries(out, "Common options", verb.options, columns, [](const OptionText& o) { return o.common; });
-  return out;
+  return out.append(texts - column, ' ') + wrapped(text, texts, texts, columns_);
 }
 
 }  // namespace toolcomp::cli

@@ -35,9 +35,6 @@ namespace kit = certify::kit;
 kit::Machine read_machine(const KitOptions& options) {
   kit::Machine machine;
   machine.setup = read_setup(options.setup);
-  const std::string_view dialect = machine.setup.control == spec::Control::fanuc ? "fanuc" : "heidenhain";
-  if (!options.dialect.empty() && options.dialect != dialect)
-    throw spec::InputError(options.setup, 0, 0, fmt::format("control is {}, --dialect {}", dialect, options.dialect));
   detail("setup " + options.setup);
   for (const std::string& travel : options.travels) kit::add_travel(machine, travel);
   return machine;
@@ -65,9 +62,9 @@ kit::WhyNot asking(const KitOptions& options) {
   return [adapter = *adapter](const std::vector<spec::Case>& cases) { return certify::why_not(adapter, cases); };
 }
 
-int make(const KitOptions& options) {
-  if (options.setup.empty()) usage("make needs --setup");
-  if (options.out.empty()) usage("make needs --out");
+}  // namespace
+
+int kit_make(const KitOptions& options) {
   expect_folder(options.out, "--out");
   if (fs::exists(options.out) && !fs::is_empty(options.out))
     throw spec::InputError("--out", 0, 0, options.out + " is not empty");
@@ -100,8 +97,7 @@ int make(const KitOptions& options) {
   return kAgrees;
 }
 
-int judge(const KitOptions& options) {
-  if (options.folder.empty()) usage("judge needs the folder of a kit");
+int kit_judge(const KitOptions& options) {
   expect_folder(options.report, "--report");
   kit::JudgeKitOptions how;
   how.folder = options.folder;
@@ -132,9 +128,5 @@ int judge(const KitOptions& options) {
              (fs::path(options.report) / "index.html").string());
   return kit::exit_status(verdict);
 }
-
-}  // namespace
-
-int kit(const KitOptions& options) { return options.verb == "make" ? make(options) : judge(options); }
 
 }  // namespace toolcomp::cli

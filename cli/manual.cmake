@@ -25,7 +25,6 @@ add_custom_target(toolcomp_manual ALL DEPENDS ${made}/stamp)
 # Where shells look; Debian's zsh looks in share/zsh/vendor-completions.
 set(TOOLCOMP_ZSH_COMPLETIONS ${CMAKE_INSTALL_DATADIR}/zsh/site-functions CACHE STRING "Folder of zsh's completion")
 install(DIRECTORY ${made}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT tool FILES_MATCHING PATTERN "*.1")
-install(DIRECTORY ${made}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man5 COMPONENT tool FILES_MATCHING PATTERN "*.5")
 install(FILES ${scripts}/toolcomp DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT tool)
 install(FILES ${scripts}/_toolcomp DESTINATION ${TOOLCOMP_ZSH_COMPLETIONS} COMPONENT tool)
 install(FILES ${scripts}/toolcomp.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT tool)

@@ -11,12 +11,24 @@ namespace {
 
 void define_certify(CommandLine& line) {
   const auto options = std::make_shared<CertifyOptions>();
-  CLI::App* sub =
-      line.verb("certify", "Certify a controller, or a recorded trace, and write a report", [options, &line] {
+  CLI::App* sub = line.verb(
+      "certify",
+      "Certify a controller, or a recorded trace, and write a report\n"
+      "Judges a controller against the exact model: the golden corpus and generated cases of each section, or the "
+      "cases "
+      "and programs named. The controller is a command that speaks the protocol, an adapter, or a recording of axis "
+      "positions (--trace).\n"
+      "The report is a folder with index.html for people and findings for `toolcomp replay`.",
+      [options, &line] {
         options->words = line.words();
         options->arguments = line.typed();
         return certify(*options);
       });
+  sub->footer(R"(Examples:
+  One section of the built-in fast engine:
+    $ toolcomp certify --controller fast --section fanuc/tool-offset --cases 20
+  A program of one's own, with evidence:
+    $ toolcomp certify --controller fast part.nc --evidence part.tar.zst)");
   take(sub, "inputs", options->inputs, "FILE",
        "Cases, files of cases (.jsonl) and programs to judge; without them, the golden corpus and generated cases");
   take(sub, "--controller", options->controller, "CONTROLLER",
@@ -56,8 +68,17 @@ void define_certify(CommandLine& line) {
 
 void define_verify(CommandLine& line) {
   const auto options = std::make_shared<VerifyOptions>();
-  CLI::App* sub = line.verb("verify", "Check the evidence of a certificate, and judge cases of it again",
-                            [options] { return verify(*options); });
+  CLI::App* sub = line.verb(
+      "verify",
+      "Check the evidence of a certificate, and judge cases of it again\n"
+      "Checks that a bundle of evidence is whole and says what its certificate says, and judges cases of it again: a "
+      "sample of any seed, or all.",
+      [options] { return verify(*options); });
+  sub->footer(R"(Examples:
+  A certificate of one program, with its evidence:
+    $ toolcomp certify --controller fast part.nc --evidence part.tar.zst
+  Whether it is what it says:
+    $ toolcomp verify part.tar.zst)");
   take(sub, "file", options->file, "FILE", "The file that certify --evidence wrote")->required();
   take(sub, "--sample", options->sample, "N", "So many cases are judged again")->capture_default_str();
   take(sub, "--seed", options->seed, "N", "Seed of their choice (default: any)");
@@ -67,48 +88,70 @@ void define_verify(CommandLine& line) {
 
 void define_replay(CommandLine& line) {
   const auto options = std::make_shared<ReplayOptions>();
-  CLI::App* sub = line.verb("replay", "Judge a finding again", [options] { return replay(*options); });
+  CLI::App* sub = line.verb(
+      "replay",
+      "Judge a finding again\n"
+      "Asks the controller of a finding once more, and judges the answer. A finding is a case: any case can be "
+      "replayed.",
+      [options] { return replay(*options); });
+  sub->footer(R"(Examples:
+  A case of one's own:
+    $ toolcomp replay case.json)");
   take(sub, "finding", options->finding, "FILE", "Finding or case (JSON)")->required();
   take(sub, "--controller", options->controller, "CONTROLLER",
        "Judge this controller (default: the one of the finding)");
   take_timeout(sub, options->timeout, "Seconds the case may take");
 }
 
-void define_kit(CommandLine& line) {
+void define_kit_make(CommandLine& line, CLI::App* kit) {
   const auto options = std::make_shared<KitOptions>();
-  CLI::App* sub =
-      line.verb("kit", "Programs, offsets and run sheet for a control without a pipe; its recordings judged",
-                [options] { return kit(*options); });
-  choose(sub, "verb", options->verb, {"make", "judge"}, "make or judge")->required();
-  take(sub, "folder", options->folder, "FOLDER", "judge: folder of the kit");
-  take(sub, "recordings", options->recordings, "FILE", "judge: CSV files, or folders of them");
-  choose(sub, "--dialect", options->dialect, {"fanuc", "heidenhain"}, "make: fanuc or heidenhain, as the setup says");
+  CLI::App* sub = line.verb(kit, "make", "Write programs, offsets and a run sheet for the machine of a setup",
+                            [options] { return kit_make(*options); });
   take_sections(sub, options->sections);
-  take(sub, "--sections", options->sections, "SECTION,…", "make: the same, with commas between")->delimiter(',');
-  take(sub, "--setup", options->setup, "SETUP",
-       "make: setup of the machine; [position] is where programs begin and end");
+  take(sub, "--setup", options->setup, "SETUP", "Setup of the machine; [position] is where programs begin and end")
+      ->required();
   take(sub, "--travel", options->travels, "AXIS=LEAST,GREATEST",
-       "make: AXIS=LEAST,GREATEST in machine coordinates, once for every axis");
-  take(sub, "--out", options->out, "FOLDER", "make: folder of the kit, empty or not yet there");
-  take(sub, "--corpus", options->corpus, "FOLDER", "make: folder of the golden corpus");
+       "AXIS=LEAST,GREATEST in machine coordinates, once for every axis");
+  take(sub, "--out", options->out, "FOLDER", "Folder of the kit, empty or not yet there")->required();
+  take(sub, "--corpus", options->corpus, "FOLDER", "Folder of the golden corpus");
   take(sub, "--controller", options->controller, "ADAPTER",
-       "make: adapter of the control (docs/adapters.md); what it cannot run stays at home");
-  take(sub, "--adapters", options->adapters, "FOLDER", "make: folder of adapters, searched first (repeatable)");
-  take(sub, "--cases", options->cases, "N",
-       "make, FANUC: so many programs made for this machine are candidates besides");
-  take(sub, "--seed", options->seed, "N", "make: seed of these programs")->capture_default_str();
-  take(sub, "--first-offset", options->first_offset, "N", "make: offset numbers from here on are overwritten", 1U,
-       999U);
-  take(sub, "--alarms", options->alarms, "FILE", "judge: the alarm form, filled in (default: alarms.csv of the kit)");
+       "Adapter of the control (docs/adapters.md); what it cannot run stays at home");
+  take(sub, "--adapters", options->adapters, "FOLDER", "Folder of adapters, searched first (repeatable)");
+  take(sub, "--cases", options->cases, "N", "FANUC: so many programs made for this machine are candidates besides");
+  take(sub, "--seed", options->seed, "N", "Seed of these programs")->capture_default_str();
+  take(sub, "--first-offset", options->first_offset, "N", "Offset numbers from here on are overwritten", 1U, 999U);
+  take(sub, "--tolerance", options->tolerance, "LENGTH", "What moves a path by less is not counted (default: 0.05)");
+}
+
+void define_kit_judge(CommandLine& line, CLI::App* kit) {
+  const auto options = std::make_shared<KitOptions>();
+  CLI::App* sub = line.verb(kit, "judge", "Judge the recordings of these runs, and write a certificate",
+                            [options] { return kit_judge(*options); });
+  take(sub, "folder", options->folder, "FOLDER", "Folder of the kit")->required();
+  take(sub, "recordings", options->recordings, "FILE", "CSV files, or folders of them");
+  take(sub, "--alarms", options->alarms, "FILE", "The alarm form, filled in (default: alarms.csv of the kit)");
   take(sub, "--tolerance", options->tolerance, "LENGTH",
-       "Greatest distance of a recording from the exact path: make: what moves a path by less is not counted (default "
-       "0.05); judge: no more than that");
+       "Greatest distance of a recording from the exact path, no more than that of the kit");
   sub->add_flag("--machine-coordinates", options->machine_coordinates,
-                "judge: recordings are of machine coordinates, not of those of G54");
-  sub->add_flag(
-      "--rapids-by-axis", options->rapids_by_axis,
-      "judge: the control positions axis by axis: rapid moves are judged by their ends, and each axis between");
-  take(sub, "--report", options->report, "FOLDER", "judge: folder of the certificate");
+                "Recordings are of machine coordinates, not of those of G54");
+  sub->add_flag("--rapids-by-axis", options->rapids_by_axis,
+                "The control positions axis by axis: rapid moves are judged by their ends, and each axis between");
+  take(sub, "--report", options->report, "FOLDER", "Folder of the certificate");
+}
+
+void define_kit(CommandLine& line) {
+  CLI::App* kit = line.family("kit",
+                              "Programs, offsets and run sheet for a control without a pipe; its recordings judged\n"
+                              "For a control that nobody can pipe cases into (docs/kits.md).");
+  define_kit_make(line, kit);
+  define_kit_judge(line, kit);
+  kit->footer(R"(Examples:
+  The setup of the machine, to be edited:
+    $ toolcomp config example > machine.toml
+  A kit for it:
+    $ toolcomp kit make --setup machine.toml --section fanuc/tool-length-offset \
+        --travel X=-500,500 --travel Y=-500,500 --travel Z=-300,300 \
+        --travel B=-120,120 --travel C=-360,360 --out kit)");
 }
 
 }  // namespace

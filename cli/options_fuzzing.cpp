@@ -11,9 +11,18 @@ namespace {
 
 void define_fuzz(CommandLine& line) {
   const auto options = std::make_shared<FuzzOptions>();
-  CLI::App* sub = line.verb("fuzz", "Search for differences", [options] {
-    return options->campaign.empty() && options->merge.empty() ? fuzz(*options) : fuzz_campaign(*options);
-  });
+  CLI::App* sub = line.verb(
+      "fuzz",
+      "Search for differences\n"
+      "Searches for programs on which two engines, or a controller and the model, differ. Every finding is shrunk and "
+      "kept as a case for `toolcomp replay`. --campaign keeps everything in a folder and goes on where it stopped "
+      "(docs/campaigns.md).",
+      [options] {
+        return options->campaign.empty() && options->merge.empty() ? fuzz(*options) : fuzz_campaign(*options);
+      });
+  sub->footer(R"(Examples:
+  One section, for a hundred programs:
+    $ toolcomp fuzz --section fanuc/tool-offset --runs 100 --seed 1 --built-in)");
   take_sections(sub, options->sections);
   take(sub, "--for", options->duration, "TIME",
        "How long a section: 60s, 10m, 1h (default 60s without --runs); a campaign: in all (default: without end)");

@@ -25,7 +25,23 @@ constexpr int kMostDigits = 1000;
 
 void define_run(CommandLine& line) {
   const auto options = std::make_shared<RunOptions>();
-  CLI::App* sub = line.verb("run", "Run a program and print its events", [options] { return run(*options); });
+  CLI::App* sub = line.verb(
+      "run",
+      "Run a program and print its events\n"
+      "Runs the program under the rules of its control and prints each event: moves, samples, alarms, settings. The "
+      "model computes exactly and prints correctly rounded decimals; the fast engine computes in double.\n"
+      "An alarm of the control is a result, not a failure: it is the last event, with one line on standard error that "
+      "names its place, and the exit status is 0.",
+      [options] { return run(*options); });
+  sub->footer(R"(Examples:
+  Events as JSON, one a line:
+    $ toolcomp run part.nc --setup setup.toml
+  A table, twenty decimals:
+    $ toolcomp run part.nc --format csv --digits 20 > part.csv
+  A plain program for a simulator:
+    $ toolcomp run part.nc --format gcode > plain.nc
+  A page to step through:
+    $ toolcomp run part.nc --format html > part.html)");
   take_program(sub, options->program, options->setup);
   choose(sub, "--engine", options->engine, kEngines, "model (exact) or fast");
   choose(sub, "--format", options->format, kFormats,
@@ -36,8 +52,15 @@ void define_run(CommandLine& line) {
 
 void define_diff(CommandLine& line) {
   const auto options = std::make_shared<DiffOptions>();
-  CLI::App* sub =
-      line.verb("diff", "Model against fast; the first difference explained", [options] { return diff(*options); });
+  CLI::App* sub = line.verb(
+      "diff",
+      "Model against fast; the first difference explained\n"
+      "Runs the program in the exact model and in the fast engine and judges every value. The first difference is "
+      "printed with its clause.",
+      [options] { return diff(*options); });
+  sub->footer(R"(Examples:
+  Whether the engines agree on a program:
+    $ toolcomp diff part.nc)");
   take_program(sub, options->program, options->setup);
   take_samples(sub, options->samples);
   choose(sub, "--engines", options->specification, kPairs,
@@ -46,8 +69,17 @@ void define_diff(CommandLine& line) {
 
 void define_explain(CommandLine& line) {
   const auto options = std::make_shared<ExplainOptions>();
-  CLI::App* sub = line.verb("explain", "Block by block: clauses, decisions, exact and double values",
-                            [options] { return explain(*options); });
+  CLI::App* sub = line.verb(
+      "explain",
+      "Block by block: clauses, decisions, exact and double values\n"
+      "Says block by block which clauses acted, what was decided and how near each decision was, with exact and double "
+      "values.",
+      [options] { return explain(*options); });
+  sub->footer(R"(Examples:
+  One block:
+    $ toolcomp explain part.nc --block 5
+  All of them:
+    $ toolcomp explain part.nc > why.txt)");
   take_program(sub, options->program, options->setup);
   take(sub, "--block", options->block, "N", "Only the block with this sequence number, or on this line if none has it");
   take(sub, "--digits", options->digits, "N", "Decimals printed", 0, kMostDigits);
@@ -57,8 +89,15 @@ void define_explain(CommandLine& line) {
 void define_view(CommandLine& line) {
   constexpr int kLastPort = 65535;
   const auto options = std::make_shared<ViewOptions>();
-  CLI::App* sub = line.verb("view", "A page to step through a program: blocks, drawing, clauses and exact numbers",
-                            [options] { return view(*options); });
+  CLI::App* sub = line.verb(
+      "view",
+      "A page to step through a program: blocks, drawing, clauses and exact numbers\n"
+      "The page has the blocks of the program, the drawing in space, and the clauses and exact numbers of the block "
+      "under the cursor. It needs nothing beside it and no network (docs/view.md).",
+      [options] { return view(*options); });
+  sub->footer(R"(Examples:
+  A page beside the program:
+    $ toolcomp view part.nc)");
   take_program(sub, options->program, options->setup);
   take(sub, "--out", options->out, "FILE", "The page (default: the program's name with .html, here); - prints it");
   CLI::Option* const serve = sub->add_flag(
@@ -71,8 +110,15 @@ void define_view(CommandLine& line) {
 
 void define_serve(CommandLine& line) {
   const auto engine = std::make_shared<EngineName>(EngineName::fast);
-  CLI::App* sub = line.verb("serve", "Speak the controller protocol on standard input and output",
-                            [engine] { return serve(*engine); });
+  CLI::App* sub = line.verb(
+      "serve",
+      "Speak the controller protocol on standard input and output\n"
+      "Answers the controller protocol (docs/protocol.md): a JSON object a line in, an answer a line out. It is how "
+      "our own engines are certified, and an example of a controller.",
+      [engine] { return serve(*engine); });
+  sub->footer(R"(Examples:
+  What it can do:
+    $ echo '{"hello":1}' | toolcomp serve --engine fast)");
   choose(sub, "--engine", *engine, kServed, "model, fast or spec (the formal specification)")->required();
 }
 

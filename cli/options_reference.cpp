@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Verbs for what stands written: corpus, spec, config.
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <string>
@@ -7,6 +8,9 @@
 #include "cli/command_line.h"
 #include "cli/options.h"
 #include "cli/verbs.h"
+#include "corpus/contour.h"
+#include "corpus/flank.h"
+#include "corpus/freeform.h"
 
 namespace toolcomp::cli {
 namespace {
@@ -19,70 +23,147 @@ const std::map<std::string, corpus::FlankTool> kTools{{"rotary", corpus::FlankTo
 const std::map<std::string, corpus::TightPlace> kPlaces{{"arc", corpus::TightPlace::arc},
                                                         {"groove", corpus::TightPlace::groove}};
 
+// Those that write a program of real length.
+void define_long_programs(CommandLine& line, CLI::App* family) {
+  constexpr std::size_t kMostContour = 100'000'000;
+  const auto options = std::make_shared<LongProgramOptions>();
+  const auto add = [&](const char* name, const char* about, int (*action)(const LongProgramOptions&)) {
+    CLI::App* sub = line.verb(family, name, about, [options, action] { return action(*options); });
+    take(sub, "--out", options->out, "FILE", "The program to write; its setup goes beside it, ending in .toml")
+        ->required();
+    return sub;
+  };
+  CLI::App* sub = add("contour", "Write a closed contour of short lines and arcs", corpus_contour);
+  corpus::ContourOptions& contour = options->contour;
+  take(sub, "--blocks", contour.blocks, "N", "How many lines and arcs; default: 100000", corpus::kLeastContour,
+       kMostContour);
+  take(sub, "--seed", contour.seed, "N", "Seed of every random choice");
+  take(sub, "--arcs", contour.arcs, "N", "How many of 100 blocks are arcs; default: 40", 0U, 100U);
+  choose(sub, "--variant", contour.variant, kVariants, "pocket, island or tight (ends in PS0041)");
+  choose(sub, "--place", contour.place, kPlaces, "tight: the place that raises PS0041, arc or groove");
+  take(sub, "--at", contour.at, "N", "tight: from which block on the place is (default: the middle)");
+
+  sub = add("flank", "Write the five-axis flank of a blade", corpus_flank);
+  take(sub, "--blocks", options->flank.blocks, "N", "How many blocks; default: 20000", corpus::kLeastFlank,
+       corpus::kMostFlank);
+  choose(sub, "--tool", options->flank.tool, kTools, "The tool axis by B and C (rotary) or by I J K (vector)");
+
+  sub = add("freeform", "Write LN blocks over a free-form surface", corpus_freeform);
+  take(sub, "--blocks", options->freeform.blocks, "N", "How many LN blocks; default: 500000", corpus::kLeastFreeform,
+       corpus::kMostFreeform);
+  sub->add_flag("!--no-tool-vector", options->freeform.tool_vector, "Without TX TY TZ, the tool stays along Z");
+}
+
 void define_corpus(CommandLine& line) {
+  CLI::App* family = line.family(
+      "corpus",
+      "The golden corpus, hard cases, and makers of long programs\n"
+      "The golden corpus holds cases with proven results, hard cases are those that are hardest for doubles.");
   const auto options = std::make_shared<CorpusOptions>();
-  CLI::App* sub = line.verb("corpus",
-                            "The golden corpus: generate, merge, check, lint, diff, proofs; hard cases: mine, hard; "
-                            "long programs: contour, flank, freeform",
-                            [options] { return corpus(*options); });
-  choose(sub, "verb", options->verb,
-         {"generate", "merge", "check", "lint", "diff", "proofs", "mine", "hard", "contour", "flank", "freeform"},
-         "generate, merge, check, lint, diff, proofs, mine, hard, contour, flank or freeform")
-      ->required();
-  take(sub, "against", options->against, "FOLDER", "diff: the folder of the other corpus; merge: that of the shards");
+  const auto add = [&](const char* name, const char* about, int (*action)(const CorpusOptions&)) {
+    return line.verb(family, name, about, [options, action] { return action(*options); });
+  };
+  const auto take_folder = [options](CLI::App* sub, const char* text) {
+    take(sub, "--dir", options->directory, "FOLDER", text);
+  };
+  const char* const folder = "Folder of the corpus (default: corpus/golden of the source tree)";
+  const auto take_seed = [options](CLI::App* sub) {
+    take(sub, "--seed", options->seed, "N", "Seed of every random choice");
+  };
+
+  CLI::App* sub = add("generate", "Make the corpus anew", corpus_generate);
   take_sections(sub, options->sections);
-  take(
-      sub, "--dir", options->directory, "FOLDER",
-      "Folder of the corpus (default: corpus/golden of the source tree; hard: corpus/hard), or of the shards (generate "
-      "--shard)");
-  take(sub, "--shard", options->shard, "I/N",
-       "I/N: only every N-th vector, from the I-th (1 <= I <= N); generate: the share of one machine of N, for merge");
-  take(sub, "--controller", options->controller, "CONTROLLER", "check: judge this controller instead of both engines");
-  take(sub, "--seed", options->seed, "N", "Seed of every random choice");
-  take(sub, "--into", options->into, "FOLDER",
-       "proofs: folder for Coq's files; mine: folder of the hard cases; those there are where the search begins");
-  take(sub, "--sample", options->sample, "N", "proofs: so many vectors of each section, by the seed; 0: all");
-  sub->add_flag("--tell", options->only_tell, "proofs: have Coq tell which vectors it can compute, instead of proofs");
-  take(sub, "--for", options->duration, "TIME", "mine: how long in all: 60s, 10m, 1h (default 10m without --runs)");
-  take(sub, "--runs", options->runs, "N", "mine: runs of the model a section instead of a time");
-  take(sub, "--jobs", options->jobs, "N", "mine: sections side by side", 1U, 256U);
-  take(sub, "--findings", options->findings, "FOLDER", "mine: folder for cases on which the engines differ");
-  take(sub, "--out", options->out, "FILE",
-       "contour, flank, freeform: the program to write; its setup goes beside it, ending in .toml");
-  take(
-      sub, "--blocks", options->blocks, "N",
-      "contour: how many lines and arcs (default: 100000); flank: how many blocks (default: 20000); freeform: how many "
-      "LN blocks (default: 500000)");
-  choose(sub, "--tool", options->tool, kTools, "flank: the tool axis by B and C (rotary) or by I J K (vector)");
-  sub->add_flag("--no-tool-vector", options->no_tool_vector, "freeform: without TX TY TZ, the tool stays along Z");
-  take(sub, "--arcs", options->contour.arcs, "N", "contour: how many of 100 blocks are arcs (default: 40)", 0U, 100U);
-  choose(sub, "--variant", options->contour.variant, kVariants, "contour: pocket, island or tight (ends in PS0041)");
-  choose(sub, "--place", options->contour.place, kPlaces,
-         "contour, tight: the place that raises PS0041, arc or groove");
-  take(sub, "--at", options->contour.at, "N", "contour, tight: from which block on the place is (default: the middle)");
+  take_folder(sub, "Folder of the corpus (default: corpus/golden of the source tree); with --shard, of the shards");
+  take(sub, "--shard", options->shard, "I/N", "The share of one machine of N, for merge (1 <= I <= N)");
+  take_seed(sub);
+
+  sub = add("merge", "Make the corpus of the shards in a folder", corpus_merge);
+  take(sub, "shards", options->against, "FOLDER", "Folder of the shards")->required();
+  take_folder(sub, folder);
+
+  sub = add("check", "Judge both engines, or a controller, by the corpus", corpus_check);
+  take_sections(sub, options->sections);
+  take_folder(sub, folder);
+  take(sub, "--shard", options->shard, "I/N", "Only every N-th vector, from the I-th (1 <= I <= N)");
+  take(sub, "--controller", options->controller, "CONTROLLER", "Judge this controller instead of both engines");
+
+  sub = add("lint", "Order, formatting, ids, digests, foreign files", corpus_lint);
+  take_folder(sub, folder);
+
+  sub = add("diff", "What has changed since another corpus", corpus_diff);
+  take(sub, "against", options->against, "FOLDER", "Folder of the other corpus")->required();
+  take_folder(sub, folder);
+
+  sub = add("proofs", "Write proofs of vectors, for Coq", corpus_proofs);
+  take_sections(sub, options->sections);
+  take_folder(sub, folder);
+  take(sub, "--into", options->into, "FOLDER", "Folder for Coq's files")->required();
+  take(sub, "--sample", options->sample, "N", "So many vectors of each section, by the seed; 0: all");
+  take_seed(sub);
+  sub->add_flag("--tell", options->only_tell, "Have Coq tell which vectors it can compute, instead of proofs");
+
+  sub = add("hard", "Run the hard cases again", corpus_hard);
+  take_sections(sub, options->sections);
+  take_folder(sub, "Folder of the hard cases (default: corpus/hard of the source tree)");
+
+  define_long_programs(line, family);
+  family->footer(R"(Examples:
+  The fast engine against some of the corpus:
+    $ toolcomp corpus check --section fanuc/tool-offset --shard 1/10
+  A program of a thousand blocks, with its setup:
+    $ toolcomp corpus contour --blocks 1000 --out long.nc)");
 }
 
 void define_spec(CommandLine& line) {
+  CLI::App* family = line.family(
+      "spec",
+      "The clauses, and the keys and parameters of setups\n"
+      "Prints the clauses that the rules are made of, where each is found in the sources, and what the golden corpus "
+      "exercises of them.");
   const auto options = std::make_shared<SpecOptions>();
-  CLI::App* sub = line.verb("spec", "The clauses: list, show, trace, coverage, sections; keys and parameters of setups",
-                            [options] { return spec(*options); });
-  choose(sub, "verb", options->verb, {"list", "show", "trace", "coverage", "sections", "keys", "parameters"},
-         "list, show, trace, coverage, sections, keys or parameters")
-      ->required();
-  take(sub, "id", options->id, "CLAUSE", "show: the clause");
-  take(sub, "--dir", options->directory, "FOLDER",
-       "Source tree (trace) or corpus (coverage); default: where it was built");
-  sub->add_flag("--json", options->json, "JSON instead of text");
+  const auto add = [&](const char* name, const char* about, int (*action)(const SpecOptions&)) {
+    CLI::App* sub = line.verb(family, name, about, [options, action] { return action(*options); });
+    sub->add_flag("--json", options->json, "JSON instead of text");
+    return sub;
+  };
+  add("list", "The clauses", spec_list);
+  take(add("show", "A clause with its source", spec_show), "id", options->id, "CLAUSE", "The clause")->required();
+  take(add("trace", "Where each clause is found in the sources", spec_trace), "--dir", options->directory, "FOLDER",
+       "Source tree (default: where it was built)");
+  take(add("coverage", "What the golden corpus exercises", spec_coverage), "--dir", options->directory, "FOLDER",
+       "Folder of the corpus (default: where it was built)");
+  add("sections", "The sections", spec_sections);
+  add("keys", "The keys of a setup", spec_keys);
+  add("parameters", "The parameters of a setup", spec_parameters);
+  family->footer(R"(Examples:
+  A clause with its source:
+    $ toolcomp spec show fanuc.cutter-b.mode
+  The parameters that are known:
+    $ toolcomp spec parameters)");
 }
 
 void define_config(CommandLine& line) {
-  const auto options = std::make_shared<ConfigOptions>();
-  CLI::App* sub =
-      line.verb("config", "Setups and cases: example, schema, check FILE", [options] { return config(*options); });
-  choose(sub, "verb", options->verb, {"example", "schema", "check"}, "example, schema or check")->required();
-  take(sub, "file", options->file, "FILE",
-       "check: the setup or case; schema: setup (default), case, event, hello or answer");
-  choose(sub, "--control", options->control, {"fanuc", "heidenhain"}, "fanuc or heidenhain");
+  CLI::App* family = line.family(
+      "config",
+      "Setups and cases: an example, their schemas, and whether one is valid\n"
+      "A setup says what a program does not: which control runs it, its axes, parameters, offsets and tools. `toolcomp "
+      "spec keys` and `toolcomp spec parameters` list what may stand there.");
+  const auto value = std::make_shared<std::string>();
+  CLI::App* sub = line.verb(family, "example",
+                            "Print a commented setup; its first line names the schema for editors (docs/editors.md)",
+                            [value] { return config_example(*value); });
+  choose(sub, "--control", *value, {"fanuc", "heidenhain"}, "fanuc (default) or heidenhain");
+  sub = line.verb(family, "schema", "Print a JSON Schema", [value] { return config_schema(*value); });
+  choose(sub, "name", *value, {"setup", "case", "event", "hello", "answer"},
+         "setup (default), case, event, hello or answer");
+  sub = line.verb(family, "check", "Read a setup or a case, and say whether it is valid",
+                  [value] { return config_check(*value); });
+  take(sub, "file", *value, "FILE", "The setup or case")->required();
+  family->footer(R"(Examples:
+  A setup to begin with:
+    $ toolcomp config example --control heidenhain > heidenhain.toml
+  Whether it is valid:
+    $ toolcomp config check heidenhain.toml)");
 }
 
 }  // namespace

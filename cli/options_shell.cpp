@@ -15,10 +15,18 @@ namespace {
 
 void define_completion(CommandLine& line) {
   const auto shell = std::make_shared<std::string>();
-  CLI::App* sub = line.verb("completion", "Print the completion script of a shell", [shell] {
-    std::cout << completion_script(*shell);
-    return kAgrees;
-  });
+  CLI::App* sub = line.verb(
+      "completion",
+      "Print the completion script of a shell\n"
+      "The script completes verbs, options, their values, sections, clauses, adapters and files. An installed command "
+      "has its scripts where shells look for them.",
+      [shell] {
+        std::cout << completion_script(*shell);
+        return kAgrees;
+      });
+  sub->footer(R"(Examples:
+  For this shell:
+    $ toolcomp completion bash > completion.bash && . ./completion.bash)");
   choose(sub, "shell", *shell, {"bash", "zsh", "fish"}, "bash, zsh or fish")->required();
 }
 
@@ -29,7 +37,7 @@ void define_manual(CommandLine& line) {
   };
   const auto wanted = std::make_shared<Wanted>();
   CLI::App* sub = line.unlisted("manual", "Write the manual pages", [wanted, &line] {
-    write_manual(line, wanted->date, wanted->folder);
+    write_manual(line.program(), wanted->date, wanted->folder);
     return kAgrees;
   });
   take(sub, "folder", wanted->folder, "FOLDER", "Where they go")->required();

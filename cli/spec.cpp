@@ -3,6 +3,7 @@
 // setups.
 #include <filesystem>
 #include <iostream>
+#include <string>
 #include <vector>
 
 #include "cli/manners.h"
@@ -10,34 +11,44 @@
 #include "corpus/check.h"
 #include "corpus/golden.h"
 #include "corpus/proofs/proofs.h"
-#include "spec/language/input_error.h"
 #include "spec/trace/report.h"
 
 namespace toolcomp::cli {
-int spec(const SpecOptions& options) {
-  const auto format = options.json ? spec::ReportFormat::json : spec::ReportFormat::text;
-  if (options.verb == "list") std::cout << spec::list_clauses(format);
-  if (options.verb == "sections") std::cout << spec::list_sections(format);
-  if (options.verb == "keys") std::cout << spec::list_keys(format);
-  if (options.verb == "parameters") std::cout << spec::list_parameters(format);
-  if (options.verb == "coverage") {
-    detail("corpus " + (options.directory.empty() ? corpus::default_folder().string() : options.directory));
-    const corpus::Coverage coverage = corpus::coverage(
-        options.directory.empty() ? corpus::default_folder() : std::filesystem::path(options.directory));
-    std::vector<spec::ProofCount> proofs;
-    if (options.directory.empty()) proofs = corpus::count_proofs(corpus::default_folder());
-    std::cout << spec::show_coverage(coverage.counts, coverage.vectors, proofs, format);
-  }
-  if (options.verb == "show") {
-    if (options.id.empty())
-      throw spec::InputError("toolcomp spec show", 0, 0, "name a clause; `toolcomp spec list` lists them");
-    std::cout << spec::show_clause(options.id, format);
-  }
-  if (options.verb == "trace")
-    std::cout << spec::show_trace(
-        spec::trace(options.directory.empty() ? spec::default_source() : std::filesystem::path(options.directory)),
-        format);
+namespace {
+
+spec::ReportFormat format_of(const SpecOptions& options) {
+  return options.json ? spec::ReportFormat::json : spec::ReportFormat::text;
+}
+
+std::filesystem::path folder_of(const SpecOptions& options, const std::filesystem::path& usual) {
+  return options.directory.empty() ? usual : std::filesystem::path(options.directory);
+}
+
+int print(const std::string& text) {
+  std::cout << text;
   return kAgrees;
+}
+
+}  // namespace
+
+int spec_list(const SpecOptions& options) { return print(spec::list_clauses(format_of(options))); }
+int spec_show(const SpecOptions& options) { return print(spec::show_clause(options.id, format_of(options))); }
+int spec_sections(const SpecOptions& options) { return print(spec::list_sections(format_of(options))); }
+int spec_keys(const SpecOptions& options) { return print(spec::list_keys(format_of(options))); }
+int spec_parameters(const SpecOptions& options) { return print(spec::list_parameters(format_of(options))); }
+
+int spec_trace(const SpecOptions& options) {
+  const std::filesystem::path folder = folder_of(options, spec::default_source());
+  return print(spec::show_trace(spec::trace(folder), format_of(options)));
+}
+
+int spec_coverage(const SpecOptions& options) {
+  const std::filesystem::path folder = folder_of(options, corpus::default_folder());
+  detail("corpus " + folder.string());
+  const corpus::Coverage coverage = corpus::coverage(folder);
+  std::vector<spec::ProofCount> proofs;
+  if (options.directory.empty()) proofs = corpus::count_proofs(folder);
+  return print(spec::show_coverage(coverage.counts, coverage.vectors, proofs, format_of(options)));
 }
 
 }  // namespace toolcomp::cli

@@ -10,6 +10,7 @@
 
 #include "corpus/contour.h"
 #include "corpus/flank.h"
+#include "corpus/freeform.h"
 
 namespace toolcomp::cli {
 
@@ -160,41 +161,51 @@ struct ReplayOptions {
 };
 int replay(const ReplayOptions& options);
 
+// Each verb of `toolcomp corpus` takes some of them.
 struct CorpusOptions {
-  std::string verb;  // generate, merge, check, lint, diff, proofs, mine, hard, contour, flank, freeform
   std::vector<std::string> sections;
   std::string directory;
   std::string shard;  // "I/N"
   std::string controller;
   std::string against;  // diff: the other corpus; merge: the shards
   std::uint64_t seed = 1;
-  corpus::ContourOptions contour;
-  corpus::FlankTool tool = corpus::FlankTool::rotary;
-  bool no_tool_vector = false;        // freeform
-  std::optional<std::size_t> blocks;  // contour, flank, freeform
-  std::string out;                    // of the same: the program; its setup stands beside it, ending in .toml
-  std::string into;        // proofs: a folder for Coq's files; mine: of the hard cases; hard takes that of `directory`
+  std::string into;        // proofs: a folder for Coq's files
   std::size_t sample = 0;  // proofs: so many vectors a section; 0: all
   bool only_tell = false;  // proofs: which vectors Coq can compute, instead of lemmas
-  std::string duration;    // mine: "60s", "10m", "1h", all sections together
-  std::uint64_t runs = 0;  // mine: of the model, a section, instead of a time
-  unsigned jobs = 1;       // mine
-  std::string findings = "findings";  // mine: folder for cases on which the engines differ
 };
-int corpus(const CorpusOptions& options);
+int corpus_generate(const CorpusOptions& options);
+int corpus_merge(const CorpusOptions& options);
+int corpus_check(const CorpusOptions& options);
+int corpus_lint(const CorpusOptions& options);
+int corpus_diff(const CorpusOptions& options);
+int corpus_proofs(const CorpusOptions& options);
+int corpus_hard(const CorpusOptions& options);
+
+struct LongProgramOptions {
+  std::string out;  // the program; its setup stands beside it, ending in .toml
+  corpus::ContourOptions contour;
+  corpus::FlankOptions flank;
+  corpus::FreeformOptions freeform;
+};
+int corpus_contour(const LongProgramOptions& options);
+int corpus_flank(const LongProgramOptions& options);
+int corpus_freeform(const LongProgramOptions& options);
 
 struct SpecOptions {
-  std::string verb;  // list, show, trace, coverage, sections, parameters
-  std::string id;
-  std::string directory;
+  std::string id;         // show
+  std::string directory;  // trace, coverage
   bool json = false;
 };
-int spec(const SpecOptions& options);
+int spec_list(const SpecOptions& options);
+int spec_show(const SpecOptions& options);
+int spec_trace(const SpecOptions& options);
+int spec_coverage(const SpecOptions& options);
+int spec_sections(const SpecOptions& options);
+int spec_keys(const SpecOptions& options);
+int spec_parameters(const SpecOptions& options);
 
 struct KitOptions {
-  std::string verb;     // make, judge
-  std::string folder;   // judge: the kit
-  std::string dialect;  // make: fanuc or heidenhain, as the setup
+  std::string folder;  // judge: the kit
   std::string setup;
   std::vector<std::string> sections;
   std::vector<std::string> travels;  // "X=-300,300"
@@ -212,15 +223,14 @@ struct KitOptions {
   bool machine_coordinates = false;  // judge
   std::string report = "report";     // judge
 };
-int kit(const KitOptions& options);
+int kit_make(const KitOptions& options);
+int kit_judge(const KitOptions& options);
 
 int serve(EngineName engine);
 
-struct ConfigOptions {
-  std::string verb;  // example, schema, check
-  std::string control = "fanuc";
-  std::string file;
-};
-int config(const ConfigOptions& options);
+int config_example(const std::string& control);
+// "setup", "case", "event", "hello", "answer"; empty: setup.
+int config_schema(const std::string& name);
+int config_check(const std::string& file);
 
 }  // namespace toolcomp::cli

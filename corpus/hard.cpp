@@ -4,14 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <set>
-#include <tuple>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
+#include <utility>
 
-#include "corpus/hard_files.h"
+#include "corpus/golden.h"
 #include "corpus/vector.h"
-#include "fuzz/gen/generator.h"
 #include "fuzz/gen/numbers.h"
+#include "fuzz/oracle/trial.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/input_error.h"
 
@@ -23,9 +26,33 @@ using exact::Integer;
 using exact::power_of_ten;
 using exact::Rational;
 using exact::Sign;
+using Json = nlohmann::json;
 
 constexpr int kMarginDigits = 3;
 constexpr int kDeviationDigits = 4;
+
+// What they are called in the manifest.
+constexpr std::pair<Sign, std::string_view> kOutcomes[] = {
+    {Sign::positive, "positive"}, {Sign::negative, "negative"}, {Sign::zero, "tie"}};
+constexpr std::pair<Deviation, std::string_view> kDeviations[] = {{Deviation::ulp, "ulp"}, {Deviation::um, "µm"}};
+
+template <class Value, std::size_t N>
+std::string_view name_in(const std::pair<Value, std::string_view> (&names)[N], Value value) {
+  return std::ranges::find(names, value, &std::pair<Value, std::string_view>::first)->second;
+}
+
+template <class Value, std::size_t N>
+Value value_in(const std::pair<Value, std::string_view> (&names)[N], const Json& name, const fs::path& file) {
+  for (const auto& [value, known] : names)
+    if (name == known) return value;
+  throw spec::InputError(file.string(), 0, 0, name.dump() + " is not known");
+}
+
+spec::Clause clause_of(const Json& id, const fs::path& file) {
+  const auto clause = spec::find_clause(id.get<std::string>());
+  if (!clause) throw spec::InputError(file.string(), 0, 0, "there is no clause " + id.dump());
+  return *clause;
+}
 
 // |quantity| / scale from above.
 Rational ratio(const model::Decision& d) {
@@ -35,17 +62,31 @@ Rational ratio(const model::Decision& d) {
   return std::max(abs(e.lower), abs(e.upper));
 }
 
+// The smallest margin with that outcome that a run has for a clause, and where; nothing where it has none.
+struct MarginFound {
+  std::string margin;
+  std::uint64_t line = 0;
+};
+std::optional<MarginFound> least_margin(const fuzz::ModelRun& run, spec::Clause clause, Sign outcome) {
+  const model::Decision* least = nullptr;
+  for (const model::Decision& d : run.recorder.decisions())
+    if (d.clause == clause && d.outcome == outcome && (least == nullptr || fuzz::margin(d) < fuzz::margin(*least)))
+      least = &d;
+  if (least == nullptr) return std::nullopt;
+  if (outcome == Sign::zero) return MarginFound{"0", least->line};
+  return MarginFound{rounded_up(ratio(*least), kMarginDigits), least->line};
+}
+
 class Checker {
  public:
-  Checker(const fs::path& folder, const std::vector<std::string>& sections,
+  Checker(const HardCases& hard, const std::vector<std::string>& sections,
           const std::function<void(std::uint64_t)>& progress)
-      : folder_(folder), sections_(sections), progress_(progress), hard_(read_hard(folder)) {}
+      : hard_(hard), sections_(sections), progress_(progress) {}
 
   HardCheck run() {
     for (const std::string& section : sections_)
       if (!hard_.sections.contains(section))
-        throw spec::InputError(folder_.string(), 0, 0, "no hard cases of section " + section);
-    files();
+        throw spec::InputError("--section", 0, 0, "there are no hard cases of section " + section);
     std::map<std::string, std::pair<const spec::Case*, std::vector<std::size_t>>> by_case;
     for (std::size_t i = 0; i < hard_.nearest.size() + hard_.worst.size(); ++i) {
       const bool near = i < hard_.nearest.size();
@@ -68,13 +109,6 @@ class Checker {
     result_.failures.push_back(fmt::format("{}.jsonl: {}: {}", c.section, c.id, what));
   }
 
-  void files() {
-    for (const auto& [name, text] : hard_files(hard_)) {
-      const std::string there = fs::exists(folder_ / name) ? spec::read_file(folder_ / name) : "";
-      if (there != text) result_.failures.push_back(name + ": not as the writer writes it");
-    }
-  }
-
   void try_one(const spec::Case& c, const std::vector<std::size_t>& statements) {
     const fuzz::Trial trial = fuzz::try_case(c);
     if (trial.verdict.outcome != fuzz::Outcome::agrees) {
@@ -82,8 +116,6 @@ class Checker {
                                        : "could not be judged: " + trial.verdict.undecided);
       return;
     }
-    if (c.has_expect)
-      if (const std::string wrong = verify(c, trial); !wrong.empty()) fail(c, wrong);
     for (const std::size_t i : statements) {
       ++result_.statements;
       if (i < hard_.nearest.size())
@@ -94,7 +126,7 @@ class Checker {
   }
 
   void check(const Nearest& n, const fuzz::Trial& trial) {
-    const std::string what = fmt::format("{} {}", spec::info(n.clause).id, name_of(n.outcome));
+    const std::string what = fmt::format("{} {}", spec::info(n.clause).id, name_in(kOutcomes, n.outcome));
     const auto least = least_margin(trial.run, n.clause, n.outcome);
     if (!least)
       fail(n.c, what + " is not reached");
@@ -107,38 +139,25 @@ class Checker {
   }
 
   void check(const Worst& w, const fuzz::Trial& trial) {
-    const double now = deviation(trial.verdict, w.of);
-    const std::string text = deviation_text(now);
+    const double now = w.of == Deviation::ulp ? trial.verdict.worst_ulp : trial.verdict.worst_um;
+    const std::string text = rounded_up(Rational(now), kDeviationDigits);
     if (text == w.value) return;
     const double stated = std::stod(w.value);
     if (now > stated)
-      fail(w.c, fmt::format("{} {} off, {} is stated", text, name_of(w.of), w.value));
+      fail(w.c, fmt::format("{} {} off, {} is stated", text, name_in(kDeviations, w.of), w.value));
     else
       ++result_.lower;
   }
 
-  fs::path folder_;
+  const HardCases& hard_;
   const std::vector<std::string>& sections_;
   const std::function<void(std::uint64_t)>& progress_;
-  HardCases hard_;
   HardCheck result_;
 };
 
 }  // namespace
 
 fs::path hard_folder() { return default_folder().parent_path() / "hard"; }
-
-bool is_usual(const Nearest& nearest) { return nearest.decimals <= fuzz::usual_decimals(nearest.c.setup.control); }
-
-std::optional<MarginFound> least_margin(const fuzz::ModelRun& run, spec::Clause clause, Sign outcome) {
-  const model::Decision* least = nullptr;
-  for (const model::Decision& d : run.recorder.decisions())
-    if (d.clause == clause && d.outcome == outcome && (least == nullptr || fuzz::margin(d) < fuzz::margin(*least)))
-      least = &d;
-  if (least == nullptr) return std::nullopt;
-  if (outcome == Sign::zero) return MarginFound{"0", least->line};
-  return MarginFound{rounded_up(ratio(*least), kMarginDigits), least->line};
-}
 
 std::string rounded_up(const Rational& value, int digits) {
   if (value == 0) return "0";
@@ -166,15 +185,43 @@ std::string rounded_up(const Rational& value, int digits) {
   return exponent == 0 ? text : fmt::format("{}e{}", text, exponent);
 }
 
-std::string deviation_text(double value) { return rounded_up(Rational(value), kDeviationDigits); }
-
-double deviation(const fuzz::Verdict& verdict, Deviation of) {
-  return of == Deviation::ulp ? verdict.worst_ulp : verdict.worst_um;
+HardCases read_hard(const fs::path& folder) {
+  const fs::path file = folder / "manifest.json";
+  HardCases hard;
+  try {
+    const Json json = Json::parse(spec::read_file(file));
+    if (json.at("hard") != 1) throw spec::InputError(file.string(), 0, 0, "hard: 1 is the format that is known");
+    std::map<std::string, spec::Case> cases;
+    for (const Json& entry : json.at("sections")) {
+      const auto section = entry.at("section").get<std::string>();
+      hard.sections.insert(section);
+      for (spec::Case& c : read_cases(folder / (section + ".jsonl"))) {
+        if (vector_id(c) != c.id)
+          throw spec::InputError(section + ".jsonl", 0, 0, c.id + ": of what it holds the id is " + vector_id(c));
+        cases[c.id] = std::move(c);
+      }
+    }
+    const auto case_of = [&](const Json& id) {
+      const auto c = cases.find(id.get<std::string>());
+      if (c == cases.end()) throw spec::InputError(file.string(), 0, 0, "there is no case " + id.dump());
+      return c->second;
+    };
+    for (const Json& entry : json.at("nearest"))
+      hard.nearest.push_back({clause_of(entry.at("clause"), file), value_in(kOutcomes, entry.at("outcome"), file),
+                              entry.at("decimals").get<int>(), entry.at("margin").get<std::string>(),
+                              entry.at("line").get<std::uint64_t>(), case_of(entry.at("case"))});
+    for (const Json& entry : json.at("worst"))
+      hard.worst.push_back({entry.at("section").get<std::string>(), value_in(kDeviations, entry.at("of"), file),
+                            entry.at("value").get<std::string>(), case_of(entry.at("case"))});
+  } catch (const nlohmann::json::exception& error) {
+    throw spec::InputError(file.string(), 0, 0, error.what());
+  }
+  return hard;
 }
 
-HardCheck check_hard(const fs::path& folder, const std::vector<std::string>& sections,
+HardCheck check_hard(const HardCases& hard, const std::vector<std::string>& sections,
                      const std::function<void(std::uint64_t)>& progress) {
-  return Checker(folder, sections, progress).run();
+  return Checker(hard, sections, progress).run();
 }
 
 }  // namespace toolcomp::corpus

@@ -23,12 +23,6 @@ std::uint64_t power_of_ten(int exponent) {
   return power;
 }
 
-int digits_of(std::uint64_t value) {
-  int count = 1;
-  for (; value >= 10; value /= 10) ++count;
-  return count;
-}
-
 bool is_measure(spec::ParameterId id) {
   const spec::ParameterInfo* const info = spec::find_parameter(id);
   return info != nullptr && (info->type == spec::ParameterType::length || info->type == spec::ParameterType::angle ||
@@ -182,17 +176,6 @@ spec::Case Numbers::with(const Point& values) const {
   return c;
 }
 
-std::string Numbers::changed(const Point& values) const {
-  std::vector<std::string> seen;
-  std::string text;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (values[i] == values_[i] || std::ranges::find(seen, names_[i]) != seen.end()) continue;
-    seen.push_back(names_[i]);
-    text += (text.empty() ? "" : ", ") + names_[i];
-  }
-  return text;
-}
-
 std::optional<Decimal> moved(const Decimal& value, std::int64_t steps, int decimals) {
   const int scale = std::max<int>(decimals, value.decimals);
   const std::uint64_t most = power_of_ten(kSearchedDigits);
@@ -215,10 +198,6 @@ std::optional<Decimal> moved(const Decimal& value, std::int64_t steps, int decim
   }
   result.point = value.point || result.decimals > 0;
   return result;
-}
-
-int most_decimals(const Decimal& value) {
-  return kSearchedDigits - std::max(1, digits_of(value.digits / power_of_ten(value.decimals)));
 }
 
 int finest(const Point& values) {

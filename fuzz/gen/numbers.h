@@ -39,8 +39,6 @@ class Numbers {
   [[nodiscard]] bool is_whole(std::size_t i) const { return whole_[i]; }
   // The case with these values; a number that has not changed stays as it was written.
   [[nodiscard]] spec::Case with(const Point& values) const;
-  // The names of the numbers that differ from the case's own, each once, with blanks between.
-  [[nodiscard]] std::string changed(const Point& values) const;
 
  private:
   void read_program();
@@ -57,9 +55,6 @@ class Numbers {
 // The value `steps` of 10^-decimals further (of its own last digit, where it has more decimals); nothing where that
 // would be larger, or have more digits, than what is searched.
 std::optional<spec::Decimal> moved(const spec::Decimal& value, std::int64_t steps, int decimals);
-
-// Decimals the value may have for its size, up to kSearchedDigits.
-int most_decimals(const spec::Decimal& value);
 
 // The most decimals that one of the values has.
 int finest(const Point& values);

@@ -3,15 +3,10 @@
 
 #include "model/basis/alarm.h"
 #include "model/basis/event.h"
+#include "model/geometry/plane_vector.h"
 
 namespace toolcomp::model {
 namespace {
-
-PlanePoint operator+(const PlanePoint& a, const PlanePoint& b) { return {a[0] + b[0], a[1] + b[1]}; }
-PlanePoint operator-(const PlanePoint& a, const PlanePoint& b) { return {a[0] - b[0], a[1] - b[1]}; }
-PlanePoint operator*(const Real& k, const PlanePoint& a) { return {k * a[0], k * a[1]}; }
-Real dot(const PlanePoint& a, const PlanePoint& b) { return a[0] * b[0] + a[1] * b[1]; }
-Real cross(const PlanePoint& a, const PlanePoint& b) { return a[0] * b[1] - a[1] * b[0]; }
 
 constexpr const char* kNoArc = "no arc of this radius joins start and end";
 

@@ -38,6 +38,10 @@ TEST(Completion, AnswersByPlace) {
   EXPECT_EQ(words("run --setup s"), Set{":files"});
   EXPECT_EQ(words("certify --report r"), Set{":folders"});
   EXPECT_EQ(words("kit ''"), (Set{"judge", "make"}));
+  EXPECT_EQ(words("kit judge k"), Set{":folders"});
+  EXPECT_EQ(words("kit judge k r"), Set{":files"});
+  EXPECT_EQ(words("corpus contour --va"), Set{"--variant"});
+  EXPECT_FALSE(words("corpus lint --").contains("--variant"));
   EXPECT_EQ(words("config schema e"), Set{"event"});
   EXPECT_EQ(words("config check e"), Set{":files"});
   EXPECT_EQ(words("config example ''"), Set{});

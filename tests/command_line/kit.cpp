@@ -125,8 +125,7 @@ class Kit : public testing::Test {
   }
   // One section in which little compensation can be had wrong.
   [[nodiscard]] Outcome make_small(const std::string& out = "kit") const {
-    return make(kMachine, kTravels + " --dialect fanuc --sections fanuc/cutter-compensation-b,fanuc/tool-length-offset",
-                out);
+    return make(kMachine, kTravels + " --section fanuc/cutter-compensation-b --section fanuc/tool-length-offset", out);
   }
   [[nodiscard]] json manifest() const { return json::parse(read(folder.path("kit/kit.json"))); }
   [[nodiscard]] std::vector<json> run(const json& program) const {
@@ -233,7 +232,7 @@ TEST_F(Kit, ForAControlThatAnAdapterDescribes) {
         "test \"$1\" = --ask || exit 9\nfor one in \"$2\"/*/; do cd \"$one\"\n"
         "grep -q '[ 0-9]G42' program.nc && echo 'no G42' >not_applicable.txt\n"
         "grep -q '[ 0-9]G44' program.nc && echo 'negative 1 9' >known.txt\ndone\nexit 0\n");
-  const std::string sections = " --sections fanuc/cutter-compensation-c,fanuc/tool-length-offset";
+  const std::string sections = " --section fanuc/cutter-compensation-c --section fanuc/tool-length-offset";
   const Outcome made =
       make(kMachine, kTravels + sections + " --cases 20 --controller fake --adapters " + folder.path("adapters"));
   ASSERT_EQ(made.status, 0) << made.err;
@@ -420,7 +419,6 @@ TEST_F(Kit, BadInputToMakeIsNamedWithItsPlace) {
   refused(make(kMachine, kTravels + " --travel X=-1,1"), "\"X=-1,1\": the axis was given before");
   refused(make(kMachine, " --travel X=3"), "--travel: \"X=3\": a travel is AXIS=LEAST,GREATEST");
   refused(make(kMachine, " --travel X=-1,5 --travel Y=-250,250 --travel Z=-9,9"), "the place of the marks");
-  refused(make(kMachine, kTravels + " --dialect heidenhain"), "control is fanuc, --dialect heidenhain");
   refused(make(kMachine, kTravels + " --section fanuc/nothing"), "no section \"fanuc/nothing\"");
   fs::create_directories(folder.path("full"));
   std::ignore = folder.write("full/x", "");

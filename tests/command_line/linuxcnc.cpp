@@ -71,8 +71,8 @@ TEST_F(LinuxCnc, AKitConformsAndAWrongOffsetIsNamed) {
   const Outcome made = toolcomp("kit make --setup " + folder.write("machine.toml", setup) + " --out " +
                                 folder.path("kit") + " --controller linuxcnc-motion --cases 60 --travel X=-500,500 " +
                                 "--travel Y=-500,500 --travel Z=-500,500 --travel A=-720,720 --travel C=-720,720 "
-                                "--sections fanuc/tool-length-offset,fanuc/cutter-compensation-c,"
-                                "fanuc/tool-center-point-control");
+                                "--section fanuc/tool-length-offset --section fanuc/cutter-compensation-c "
+                                "--section fanuc/tool-center-point-control");
   ASSERT_EQ(made.status, 0) << made.err;
   const json kit = json::parse(read(folder.path("kit/kit.json")));
   ASSERT_EQ(kit.at("programs").size(), 1U);  // a minute each

@@ -70,12 +70,14 @@ TEST_F(Manners, WhatIsMisspeltIsAnsweredWithTheNearest) {
 }
 
 TEST_F(Manners, WhatIsNearNothingGetsNoSuggestion) {
-  for (const std::string arguments : {"frobnicate", "run --zzzzzz x", "run x --format zzz", "fuzz --section zzz/zzz"}) {
+  for (const std::string arguments :
+       {"frobnicate", "run --zzzzzz x", "run x --format zzz", "fuzz --section zzz/zzz", "kit", "corpus lint x"}) {
     const Outcome outcome = toolcomp(arguments);
     EXPECT_EQ(outcome.status, 2) << arguments;
     EXPECT_FALSE(has(outcome.err, "did you mean")) << outcome.err;
   }
   EXPECT_TRUE(has(toolcomp("frobnicate").err, "there are run, ")) << toolcomp("frobnicate").err;
+  EXPECT_TRUE(has(toolcomp("kit frobnicate").err, "there are make, judge")) << toolcomp("kit frobnicate").err;
 }
 
 TEST_F(Manners, HelpIsThereInEveryForm) {
@@ -89,12 +91,20 @@ TEST_F(Manners, HelpIsThereInEveryForm) {
   EXPECT_TRUE(has(run.out, "--engine fast|model")) << run.out;
   EXPECT_EQ(toolcomp("help run").out, run.out);
   EXPECT_EQ(toolcomp("run -h").out, run.out);
+  EXPECT_TRUE(has(run.out, "$ toolcomp run part.nc --setup setup.toml")) << run.out;
+  const Outcome corpus = toolcomp("corpus --help");
+  EXPECT_EQ(corpus.status, 0);
+  EXPECT_TRUE(has(corpus.out, "contour")) << corpus.out;
+  EXPECT_FALSE(has(corpus.out, "--variant")) << corpus.out;
+  EXPECT_TRUE(has(toolcomp("corpus contour --help").out, "--variant island|pocket|tight"));
+  EXPECT_EQ(toolcomp("help corpus contour").out, toolcomp("corpus contour --help").out);
   EXPECT_EQ(toolcomp("-V").out, toolcomp("--version").out);
 }
 
 TEST_F(Manners, HelpIsAsWideAsTheTerminal) {
   for (const std::size_t columns : {50U, 80U, 100U}) {
-    const std::string help = toolcomp("certify --help", "COLUMNS=" + std::to_string(columns) + " ").out;
+    std::string help = toolcomp("certify --help", "COLUMNS=" + std::to_string(columns) + " ").out;
+    help.resize(help.find("Examples:"));  // commands stay whole
     std::size_t widest = 0;
     for (std::size_t from = 0, to = help.find('\n'); to != std::string::npos;
          from = to + 1, to = help.find('\n', from)) {

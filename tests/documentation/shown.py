@@ -34,9 +34,15 @@ class Shown:
         self.dev_help = subprocess.run([self.source / "dev", "help"], capture_output=True, text=True, check=True).stdout
 
     @functools.cache
-    def help(self, verb):
-        done = subprocess.run([self.toolcomp, verb, "--help"], capture_output=True, text=True, check=False)
+    def help(self, *verbs):
+        done = subprocess.run([self.toolcomp, *verbs, "--help"], capture_output=True, text=True, check=False)
         return done.stdout if done.returncode == 0 else None
+
+    def help_of(self, words):
+        """What the verb says that begins these words: `run`, or `corpus check`, a verb of a verb."""
+        text = self.help(words[0])
+        inner = text and len(words) > 1 and re.search(rf"^  {re.escape(words[1])} ", text, re.M)
+        return self.help(*words[:2]) if inner else text
 
     def environment(self, folder):
         python = self.toolcomp.parent / "python"
@@ -64,13 +70,13 @@ class Shown:
             verb = words[1]
             text, options = self.dev_help, set()
             if name == "toolcomp":
-                text = self.help(verb) if re.fullmatch(r"[a-z]+", verb) else ""
+                text = self.help_of(words[1:]) if re.fullmatch(r"[a-z]+", verb) else ""
                 if text is None:
                     return f"toolcomp has no verb {verb}"
             elif not re.search(rf"^\./dev {re.escape(verb)}\b", text, re.M) and verb.isalpha():
                 return f"./dev has no verb {verb}"
             elif verb in ("certify", "fuzz", "corpus", "proofs"):
-                text += self.help("corpus" if verb == "proofs" else verb)
+                text += self.help_of(["corpus", "proofs"] if verb == "proofs" else words[1:])
             else:
                 return None  # options of the others are those of scripts
             options = {w.split("=")[0].strip("[]") for w in words[2:] if re.match(r"\[?--[a-z]", w)}

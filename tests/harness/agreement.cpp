@@ -20,7 +20,7 @@
 #include "spec/language/event_map.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
-#include "tests/sanitized.h"
+#include "tests/effort.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -112,7 +112,7 @@ TEST(StreamedAgreement, IsThatOfAllEventsAtHand) {
 
 // Over several times the while for which decisions are kept.
 TEST(StreamedAgreement, IsThatOfAllEventsAtHandInLongPrograms) {
-  constexpr std::size_t blocks = test::kSanitized ? 600 : 1500;
+  const std::size_t blocks = test::effort(600, 1500);
   const corpus::Contour contour = corpus::make_contour({.blocks = blocks});
   const corpus::Flank flank = corpus::make_flank({.blocks = blocks});
   const corpus::Freeform freeform = corpus::make_freeform({.blocks = blocks});

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "model/basis/recorder.h"
-#include "model/fanuc/corner/plane_vector.h"
+#include "model/geometry/plane_vector.h"
 
 namespace toolcomp::model {
 

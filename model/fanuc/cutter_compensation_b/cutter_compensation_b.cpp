@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "model/basis/alarm.h"
-#include "model/fanuc/corner/plane_vector.h"
+#include "model/geometry/plane_vector.h"
 
 namespace toolcomp::model {
 namespace {

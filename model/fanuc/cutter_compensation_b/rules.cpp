@@ -2,7 +2,7 @@
 #include "model/fanuc/cutter_compensation_b/rules.h"
 
 #include "model/basis/alarm.h"
-#include "model/fanuc/corner/plane_vector.h"
+#include "model/geometry/plane_vector.h"
 
 namespace toolcomp::model {
 namespace {

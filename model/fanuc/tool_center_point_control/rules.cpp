@@ -5,7 +5,7 @@
 
 #include "model/basis/alarm.h"
 #include "model/basis/event.h"
-#include "model/fanuc/corner/plane_vector.h"
+#include "model/geometry/plane_vector.h"
 
 namespace toolcomp::model {
 namespace {

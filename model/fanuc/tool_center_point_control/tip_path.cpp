@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/fanuc/tool_center_point_control/tip_path.h"
 
-#include "model/fanuc/corner/plane_vector.h"
+#include "model/geometry/plane_vector.h"
 
 namespace toolcomp::model {
 

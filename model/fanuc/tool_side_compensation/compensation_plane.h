@@ -7,7 +7,7 @@
 
 #include <utility>
 
-#include "model/fanuc/corner/plane_vector.h"
+#include "model/geometry/plane_vector.h"
 #include "model/geometry/vector.h"
 #include "model/kinematics/tool_direction.h"
 
