@@ -61,9 +61,9 @@ struct CampaignOptions {
 
 // Judges every case; the smallest of those that fail in one section, at one clause and in one kind is a finding. Then
 // the findings are put in groups by their cause, and one of each is settled (certify/settling.h). Case k of a section
-// is the same for the same seed, however many jobs. After a fault the controller is started afresh; a section that it
-// answers no more, by hangs or faults in a row, is given up, and the certificate says what was not run. Throws
-// spec::InputError for cases no control could read, for an unknown section, and for a command that cannot be run.
+// is the same for the same seed, however many jobs. A section that the controller answers no more, by hangs or
+// faults in a row, is given up, and the certificate says what was not run. Throws spec::InputError for cases no control
+// could read, for an unknown section, and for a command that cannot be run.
 Certificate certify(const CampaignOptions& options);
 
 }  // namespace toolcomp::certify

@@ -54,14 +54,14 @@ class Evidence {
     finding_ = as_seen(capabilities_, witness_);
     finding_.complete = false;
     finding_.seen = finding_.tried = 0;
-    const bool once = !stopped() && comes({.fresh = true, .before = {}});
-    if (once) {
+    if (stopped()) return std::move(finding_);
+    const Way all{.fresh = true, .before = witness_.before};
+    if (comes({.fresh = true, .before = {}}))
       by_itself();
-    } else if (!stopped() && !witness_.before.empty() && every_time(behind_all(), 2)) {
+    else if (!all.before.empty() && comes(all) && every_time(all, 1))
       behind_others();
-    } else if (!stopped()) {
+    else
       by_chance();
-    }
     return std::move(finding_);
   }
 
@@ -77,7 +77,6 @@ class Evidence {
   [[nodiscard]] std::uint64_t most_tries() const { return has_moods() && !is_waited_for() ? kMostTries : tries(); }
 
   [[nodiscard]] bool stopped() const { return options_.stop && options_.stop(); }
-  [[nodiscard]] Way behind_all() const { return {.fresh = true, .before = witness_.before}; }
 
   // It came of a fresh process that was asked nothing else. Whether it comes of one that was asked before, too, says
   // whether one process will do for all that follows.
@@ -140,7 +139,12 @@ class Evidence {
     const auto run = candidate(c);
     if (!run) return std::nullopt;
     try {
-      answer_ = way.fresh ? ask_fresh(subject_, way.before_of(c), c, patience) : subject_.run(c, patience);
+      if (way.fresh) subject_.restart();
+      for (const spec::Case& earlier : way.before_of(c)) {
+        if (stopped()) return std::nullopt;
+        static_cast<void>(subject_.run(earlier, patience));
+      }
+      answer_ = subject_.run(c, patience);
       return judge_answer(capabilities_, c, *run, answer_);
     } catch (const std::exception&) {
       return std::nullopt;
@@ -226,7 +230,7 @@ class Evidence {
     // under the real one; else the case stays as it was.
     Way again = way;
     again.fresh = true;
-    const bool confirmed = comes(again, shrunk.smallest, options_.timeout);
+    const bool confirmed = (way.fresh && !is_waited_for()) || comes(again, shrunk.smallest, options_.timeout);
     if (!confirmed) {
       finding_.complete = false;
       last_ = whole;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "certify/evidence.h"
@@ -39,35 +40,28 @@ Settled settle(std::vector<Sighting> sightings, const SettlingOptions& options) 
   result.causes = groups_of(sightings);
   const std::size_t groups = result.causes.size();
   const auto end = options.clock() + options.budget;
+  const auto why_to_stop = [&] { return options.stop ? options.stop() : std::string(); };
   for (std::size_t g = 0; g < groups; ++g) {
     SharedCause& group = result.causes[g];
     const auto now = options.clock();
-    const auto mine = now + std::max(end - now, decltype(end - now)::zero()) / (groups - g);
-    const auto ends = [&] {
+    const auto end_of_mine = now + std::max(end - now, decltype(end - now)::zero()) / (groups - g);
+    Finding settled = sightings[group.findings.front()].settle([&] {
       if (options.told) options.told({g + 1, groups, group});
-      return (options.stop && !options.stop().empty()) || options.clock() >= mine;
-    };
+      return !why_to_stop().empty() || options.clock() >= end_of_mine;
+    });
+    settled.occurrences = sightings[group.findings.front()].finding.occurrences;
+    if (settled.tried == 0) settled.not_settled = why_to_stop();
+    if (settled.tried == 0 && settled.not_settled.empty())
+      settled.not_settled = options.budget.count() == 0 ? "not asked for" : "no time was left";
+    if (options.settled) options.settled(settled);
     const std::size_t first = result.findings.size();
-    for (const std::size_t i : group.findings) {
-      const Finding& seen = sightings[i].finding;
-      if (i != group.findings.front()) {
-        result.findings.push_back(seen);
-        const Finding& settled = result.findings[first];
-        Finding& other = result.findings.back();
-        other.seen = other.tried = 0;
-        other.complete = false;
-        other.not_settled = fmt::format("finding {} stands for its group", first + 1);
-        if (settled.not_settled.empty()) other.before = last_of(other.before, settled.before.size());
-        continue;
-      }
-      Finding settled = sightings[i].settle(ends);
-      settled.occurrences = seen.occurrences;
-      if (settled.tried == 0) {
-        const std::string why = options.stop ? options.stop() : std::string();
-        settled.not_settled = !why.empty() ? why : options.budget.count() == 0 ? "not asked for" : "no time was left";
-      }
-      if (options.settled) options.settled(settled);
-      result.findings.push_back(std::move(settled));
+    result.findings.push_back(settled);
+    for (const std::size_t i : std::span(group.findings).subspan(1)) {
+      Finding& other = result.findings.emplace_back(std::move(sightings[i].finding));
+      other.seen = other.tried = 0;
+      other.complete = false;
+      other.not_settled = fmt::format("finding {} stands for its group", first + 1);
+      if (settled.not_settled.empty()) other.before = last_of(other.before, settled.before.size());
     }
     std::iota(group.findings.begin(), group.findings.end(), first);
   }
