@@ -107,8 +107,7 @@ class Campaign {
     results_.resize(total_);
     run_all(*first);
     summarize();
-    find_all(*first);
-    find_fields_never_sent();
+    settle_all(*first);
     certificate_.chatter = first->chatter();
     return std::move(certificate_);
   }
@@ -212,12 +211,9 @@ class Campaign {
     const CaseResult result = asked_and_judged(input.c, input.origin, run, answer, witness.judgement);
     add(section_of(input.c.section), result);
     if (options_.judged) options_.judged({input.c, &answer, result});
-    certificate_.findings.push_back(signed_by_us(make_finding(subject, {}, witness, evidence())));
-    certificate_.causes = shared_causes(certificate_.findings);
-  }
-
-  EvidenceOptions evidence() {
-    return {options_.shrink_runs, options_.timeout, [this] { return !why_to_stop().empty(); }};
+    settle({{as_seen({}, witness), [&](const auto& stop) {
+               return signed_by_us(make_finding(subject, {}, witness, {options_.shrink_runs, options_.timeout, stop}));
+             }}});
   }
 
   Finding signed_by_us(Finding f) const { return signed_finding(std::move(f), options_.controller, options_.seed); }
@@ -335,18 +331,28 @@ class Campaign {
     return result;
   }
 
-  // The smallest of its group is kept with all that was seen, and told at once.
+  // The smallest of one kind is kept with all that was seen, and told at once.
   void keep(const Work& work, const FailureKey& key, Witness witness, std::size_t index) {
     {
       const std::scoped_lock lock(mutex_);
       if (!groups_.add(key, index, witness.c.program)) return;
     }
     if (witness.judgement.errors.empty()) witness.judgement.errors = work.subject.errors();
-    if (work.subject.starts() > 0)
-      for (const std::size_t earlier : work.asked.before()) witness.before.push_back(case_at(earlier).c);
+    std::vector<std::size_t> asked;
+    if (work.subject.starts() > 0) asked = work.asked.before();
+    witness.before = cases_at(std::span(asked).last(std::min(asked.size(), kRequestsKept)));
     const Finding seen = signed_by_us(as_seen(certificate_.subject, witness));
     const std::scoped_lock lock(mutex_);
-    if (groups_.keep(key, index, std::move(witness)) && options_.found) options_.found(seen);
+    if (!groups_.keep(key, index, std::move(witness))) return;
+    asked_[key] = std::move(asked);
+    if (options_.found) options_.found(seen);
+  }
+
+  std::vector<spec::Case> cases_at(std::span<const std::size_t> indices) {
+    std::vector<spec::Case> cases;
+    cases.reserve(indices.size());
+    for (const std::size_t index : indices) cases.push_back(case_at(index).c);
+    return cases;
   }
 
   Faults& faults_of(const std::string& section) {
@@ -402,43 +408,71 @@ class Campaign {
     certificate_.identity.setups = setups.size();
   }
 
-  // Causes are looked for in what was seen, which has more events than what is left of it.
-  void find_all(Subject& subject) {
-    std::vector<Finding> seen;
+  void settle_all(Subject& subject) {
+    std::vector<Sighting> sightings;
     for (const auto& [key, group] : groups_.all()) {
-      seen.push_back(as_seen(certificate_.subject, group.witness));
-      Finding f = signed_by_us(make_finding(subject, certificate_.subject, group.witness, evidence()));
-      f.occurrences = group.cases;
-      certificate_.findings.push_back(std::move(f));
+      Sighting sighting{signed_by_us(as_seen(certificate_.subject, group.witness)), [&](const auto& stop) {
+                          Witness witness = group.witness;
+                          witness.before = cases_at(asked_[key]);
+                          return signed_by_us(make_finding(subject, certificate_.subject, witness,
+                                                           {options_.shrink_runs, options_.timeout, stop}));
+                        }};
+      sighting.finding.occurrences = group.cases;
+      sightings.push_back(std::move(sighting));
     }
-    certificate_.causes = shared_causes(seen);
+    add_fields_never_sent(sightings);
+    settle(std::move(sightings));
   }
 
-  // A finding each, on the first such case.
-  void find_fields_never_sent() {
+  void settle(std::vector<Sighting> sightings) {
+    SettlingOptions how = options_.settling;
+    how.stop = [this] { return why_to_stop(); };
+    how.settled = options_.found;
+    Settled settled = certify::settle(std::move(sightings), how);
+    certificate_.findings = std::move(settled.findings);
+    certificate_.causes = std::move(settled.causes);
+    certificate_.settling = how.budget;
+  }
+
+  // One each, on the first such case.
+  void add_fields_never_sent(std::vector<Sighting>& sightings) {
     for (const NeverSent& field : never_sent(certificate_.subject.fields, results_)) {
       const std::string_view name = spec::field_name(field.field);
-      if (std::ranges::any_of(certificate_.findings, [&](const Finding& f) { return f.field == name; })) continue;
-      Finding f = never_sent_finding(case_at(field.first).c, field.field);
-      f.occurrences = field.cases;
-      certificate_.findings.push_back(std::move(f));
+      if (std::ranges::any_of(sightings, [&](const Sighting& s) { return s.finding.field == name; })) continue;
+      const spec::Case c = case_at(field.first).c;
+      sightings.push_back({never_sent_finding(c, c, field.field), [this, c, field](const auto& stop) {
+                             const bool asked = !stop();
+                             const Shrunk shrunk = shrunk_with(c, field.field, stop);
+                             Finding f = never_sent_finding(c, shrunk.smallest, field.field);
+                             f.runs = shrunk.runs;
+                             f.complete = shrunk.complete && !stop();
+                             f.seen = f.tried = asked ? 1 : 0;
+                             return f;
+                           }});
+      sightings.back().finding.occurrences = field.cases;
     }
   }
 
-  Finding never_sent_finding(const spec::Case& c, spec::Field field) const {
+  // The smallest case in which the field is due.
+  [[nodiscard]] Shrunk shrunk_with(const spec::Case& c, spec::Field field, const std::function<bool()>& stop) const {
+    std::size_t runs = 0;
+    const auto still_due = [&](const spec::Case& smaller) {
+      if (stop()) return false;
+      ++runs;
+      try {
+        return fields_of(fuzz::run_model(smaller)).has(field);
+      } catch (const std::exception&) {
+        return false;
+      }
+    };
+    Shrunk shrunk = shrink(c, still_due, {options_.shrink_runs});
+    shrunk.runs = runs;
+    return shrunk;
+  }
+
+  [[nodiscard]] Finding never_sent_finding(const spec::Case& c, const spec::Case& smallest, spec::Field field) const {
     Finding f;
-    Shrunk shrunk = shrink(c,
-                           [field](const spec::Case& smaller) {
-                             try {
-                               return fields_of(fuzz::run_model(smaller)).has(field);
-                             } catch (const std::exception&) {
-                               return false;
-                             }
-                           },
-                           {options_.shrink_runs});
-    f.smallest = std::move(shrunk.smallest);
-    f.runs = shrunk.runs;
-    f.complete = shrunk.complete;
+    f.smallest = smallest;
     f.first_case = c.id;
     f.key.section = c.section;
     f.key.kind = kNeverSent;
@@ -469,6 +503,7 @@ class Campaign {
   std::mutex mutex_;
   std::map<std::string, Faults> faults_;
   FailureGroups groups_;
+  std::map<FailureKey, std::vector<std::size_t>> asked_;  // by its process before the smallest, of all cases
   std::exception_ptr error_;
 };
 

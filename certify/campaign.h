@@ -11,6 +11,7 @@
 
 #include "certify/case_result.h"
 #include "certify/certificate.h"
+#include "certify/settling.h"
 #include "certify/subject.h"
 #include "spec/language/case.h"
 
@@ -41,14 +42,15 @@ struct CampaignOptions {
   std::string accepted_resolution;            // of the controller, where it is coarse (expect_fine_resolution)
   unsigned jobs = 1;                          // controllers side by side
   std::size_t shrink_runs = 2000;             // executions a finding may take
+  SettlingOptions settling;                   // how long and by which clock; who is told
   std::string corpus = "none";                // version of the golden corpus, for the certificate
   std::string corpus_hash;                    // of its manifest
   // Called with the cases done and their number, from one thread at a time.
   std::function<void(std::uint64_t, std::uint64_t)> progress;
   // Called while the generated cases of a section are chosen, with the candidates looked at; from one thread at a time.
   std::function<void(const std::string&, std::uint64_t)> choosing;
-  // Called with a finding as soon as it is seen, not yet shrunk, and again where a smaller program shows the same; from
-  // one thread at a time.
+  // Called with a finding as soon as it is seen, not yet shrunk, again where a smaller program shows the same, and
+  // again where it is settled; from one thread at a time. Until then it has the last requests before it alone.
   std::function<void(const Finding&)> found;
   // Called with every case as it has been judged or passed over, from one thread at a time. Cases that come after the
   // end that `stop` asks for are not among them.
@@ -57,11 +59,11 @@ struct CampaignOptions {
   std::function<std::string()> stop;
 };
 
-// Judges every case, groups the failures by section, clause and kind, and makes a finding of the smallest of each group
-// (certify/evidence.h). Case k of a section is the same for the same seed, however many jobs. After a fault the
-// controller is started afresh; a section that it answers no more, by hangs or faults in a row, is given up, and the
-// certificate says what was not run. Throws spec::InputError for cases no control could read, for an unknown section,
-// and for a command that cannot be run.
+// Judges every case; the smallest of those that fail in one section, at one clause and in one kind is a finding. Then
+// the findings are put in groups by their cause, and one of each is settled (certify/settling.h). Case k of a section
+// is the same for the same seed, however many jobs. A section that the controller answers no more, by hangs or
+// faults in a row, is given up, and the certificate says what was not run. Throws spec::InputError for cases no control
+// could read, for an unknown section, and for a command that cannot be run.
 Certificate certify(const CampaignOptions& options);
 
 }  // namespace toolcomp::certify

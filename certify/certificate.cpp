@@ -117,6 +117,19 @@ std::uint64_t cases_not_run(const Certificate& certificate) {
   return sum;
 }
 
+std::size_t groups_settled(const Certificate& certificate) {
+  return static_cast<std::size_t>(std::ranges::count_if(certificate.causes, [&](const SharedCause& group) {
+    return certificate.findings[group.findings.front()].not_settled.empty();
+  }));
+}
+
+std::string words_on_settling(const Certificate& certificate) {
+  if (certificate.causes.empty()) return {};
+  const std::size_t groups = certificate.causes.size();
+  return fmt::format("{} of {} group{} settled, in {:g} s at most", groups_settled(certificate), groups,
+                     groups == 1 ? "" : "s", std::chrono::duration<double>(certificate.settling).count());
+}
+
 std::string_view kind_name(spec::ClauseKind kind) {
   constexpr std::array<std::string_view, 5> names{"normative", "parameter", "alarm", "open", "note"};
   return names.at(static_cast<std::size_t>(kind));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <set>
@@ -81,8 +82,9 @@ struct Certificate {
   Capabilities subject;
   std::vector<SectionResult> sections;
   std::vector<model::ClauseCount> clauses;  // by clause, of the cases that were judged
-  std::vector<Finding> findings;            // by section, clause, kind
-  std::vector<SharedCause> causes;          // of the findings, those that explain most first
+  std::vector<Finding> findings;            // one for each section, clause and kind, in the order of the groups
+  std::vector<SharedCause> causes;          // the groups of findings, those with most cases first (settling.h)
+  std::chrono::milliseconds settling{0};    // the time that was given to settle one finding of each group
   std::vector<Unsettled> unsettled;         // the first hundred
   std::set<std::string> without_effect;     // words of the user's own programs that are read and change no path
   std::vector<Picture> pictures;            // of the first programs of the user's own
@@ -107,6 +109,10 @@ std::string verdict(const Certificate& certificate);
 // What was looked at: "all 12 sections", "1 of 12 sections, 3 not applicable, 8 not asked for and 2 programs".
 std::string scope(const Certificate& certificate);
 std::uint64_t cases_not_run(const Certificate& certificate);
+// Groups of findings of which one was settled.
+std::size_t groups_settled(const Certificate& certificate);
+// "2 of 3 groups settled, in 30 s at most"; empty: there are no findings.
+std::string words_on_settling(const Certificate& certificate);
 
 std::string_view kind_name(spec::ClauseKind kind);
 

@@ -16,6 +16,9 @@ namespace {
 // A process whose output has ended is given this long to end itself, so that its exit status can be told.
 constexpr std::chrono::milliseconds kEndPatience{2000};
 
+// How an answer out of step is told.
+const std::string kAnotherCase = "an answer to ";
+
 using spec::Field;
 
 // Fields that every event of a kind has. Those that only some have are missed by the verdict, which knows the event
@@ -91,7 +94,8 @@ std::variant<std::string, Fault> Controller::exchange(std::string_view line, std
   const Clock::time_point begin = Clock::now();
   Exchange end = process_->exchange(line, reply, begin + timeout, options_.reply_limit);
   while (end == Exchange::line && is_chatter(reply)) {
-    if (chatter_for_answers_ && greeted_) return fault(FaultKind::malformed, "no answer");
+    if (chatter_for_answers_ && greeted_)
+      return Fault{FaultKind::malformed, "no answer, but wrote " + last_chatter_, {}, process_->errors()};
     end = process_->receive_line(reply, begin + timeout, options_.reply_limit);
   }
   const auto elapsed = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - begin);
@@ -163,7 +167,7 @@ Answer read_answer(const Capabilities& capabilities, const spec::Case& c, std::s
     if (!read.error.empty() && (read.id.empty() || read.id == c.id))
       return fault(FaultKind::error, excerpt(read.error));
     if (read.id != c.id)
-      return fault(FaultKind::malformed, "an answer to " + excerpt(read.id) + " instead of " + excerpt(c.id));
+      return fault(FaultKind::malformed, kAnotherCase + excerpt(read.id) + " instead of " + excerpt(c.id));
     if (!read.not_applicable.empty()) {
       answer.result = NotApplicable{std::move(read.not_applicable)};
       return answer;
@@ -189,11 +193,11 @@ Answer Controller::run(const spec::Case& c, std::optional<std::chrono::milliseco
   if (auto* failure = std::get_if<Fault>(&reply)) return failed(std::move(*failure));
   Answer answer = read_answer(*capabilities_, c, std::move(std::get<std::string>(reply)));
   if (auto* failure = std::get_if<Fault>(&answer.result)) {
-    // One that says what is wrong goes on; behind one that breaks the protocol nothing is worth reading.
-    if (failure->kind == FaultKind::error)
-      failure->errors = process_->errors();
-    else
+    // A process that answers in step goes on, whatever it says.
+    if (failure->what.starts_with(kAnotherCase))
       *failure = fault(failure->kind, std::move(failure->what));
+    else
+      failure->errors = process_->errors();
   }
   return answer;
 }

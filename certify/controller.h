@@ -27,7 +27,8 @@ std::string request_line(const spec::Case& c);
 // the line: neither the end of a process nor its standard error.
 Answer read_answer(const Capabilities& capabilities, const spec::Case& c, std::string line);
 
-// Starts the command when it is first needed and again after every fault, so that each case meets a healthy one.
+// Starts the command when it is first needed, and again where it ended, did not answer, or answered out of step, so
+// that each case meets one that does.
 class Controller final : public Subject {
  public:
   explicit Controller(ControllerOptions options) : options_(std::move(options)) {}
@@ -46,7 +47,8 @@ class Controller final : public Subject {
  private:
   std::optional<Fault> start(std::chrono::milliseconds timeout);
   // One line there and one line back; anything else is a fault and ends the process. Lines that are no JSON objects are
-  // no answers: the first is kept, and the wait goes on.
+  // no answers: the first is kept, and the wait goes on; not again where that was in vain once, and then the process
+  // goes on.
   std::variant<std::string, Fault> exchange(std::string_view line, std::chrono::milliseconds timeout);
   Fault fault(FaultKind kind, std::string what, std::chrono::milliseconds wait_for_end = std::chrono::milliseconds(0));
   bool is_chatter(std::string_view line);

@@ -16,15 +16,27 @@ using std::chrono::milliseconds;
 
 // Programs of a faulty controller that shrinking tries again: each costs a restart, a hang its time-out.
 constexpr std::size_t kMostFaultyRuns = 40;
-// Fresh processes that a finding is asked of again: so many where it came every time, so many where it did not.
-constexpr std::uint64_t kTries = 3;
+// So often a finding is asked for where it comes every time: by a process that goes on, where each costs a restart,
+// where it is waited for; and where it does not.
+constexpr std::uint64_t kTries = 5;
+constexpr std::uint64_t kTriesOfFaults = 3;
+constexpr std::uint64_t kTriesOfWaits = 2;
 constexpr std::uint64_t kMostTries = 10;
-// A sequence of requests is shrunk by so many fresh processes, and asked so many requests, at most.
-constexpr std::size_t kSequenceRuns = 120;
-constexpr std::size_t kSequenceRequests = 20'000;
+// What comes only of fresh processes is shrunk by so many of them, and by so many requests, at most.
+constexpr std::size_t kFreshRuns = 120;
+constexpr std::size_t kRequests = 20'000;
 constexpr std::size_t kOneByOne = 16;
-// Of what never comes again, so many requests before it are kept.
-constexpr std::size_t kKept = 50;
+
+// How a case is asked: of the process that is there, or of a fresh one that was asked others before.
+struct Way {
+  bool fresh = false;
+  std::vector<spec::Case> before;
+  std::size_t repeats = 0;  // instead: so many times the case itself
+
+  [[nodiscard]] std::vector<spec::Case> before_of(const spec::Case& c) const {
+    return repeats > 0 ? std::vector<spec::Case>(repeats, c) : before;
+  }
+};
 
 // One finding on its way.
 class Evidence {
@@ -37,98 +49,141 @@ class Evidence {
         key_(key_of(witness.c, witness.judgement)),
         patience_(short_patience(subject, options.timeout)) {}
 
+  // What ends before it is known how the finding comes leaves it as it was seen.
   Finding find() {
     finding_ = as_seen(capabilities_, witness_);
     finding_.complete = false;
-    if (stopped()) {
-      finding_.seen = finding_.tried = 0;
-      return std::move(finding_);
-    }
     finding_.seen = finding_.tried = 0;
-    const std::uint64_t tries = tries_alone();
-    if (tries > 0) {
-      finding_.before.clear();
-      // What comes only now and then cannot be shrunk: any smaller program may fail by chance to show it.
-      if (tries == 1)
-        shrink_program({});
-      else
-        describe(last_);
-    } else if (!witness_.before.empty() && comes(witness_.before, witness_.c)) {
-      finding_.before = fewest(witness_.before);
-      shrink_program(finding_.before);
-    } else if (finding_.before.size() > kKept) {
-      finding_.before.erase(finding_.before.begin(), finding_.before.end() - static_cast<std::ptrdiff_t>(kKept));
-    }
-    count();
+    if (stopped()) return std::move(finding_);
+    const Way all{.fresh = true, .before = witness_.before};
+    if (comes({.fresh = true, .before = {}}))
+      by_itself();
+    else if (!all.before.empty() && comes(all) && every_time(all, 1))
+      behind_others();
+    else
+      by_chance();
     return std::move(finding_);
   }
 
  private:
-  // The try at which the case fails by itself, from 1; 0: at none.
-  std::uint64_t tries_alone() {
-    for (std::uint64_t n = 1; n <= most_tries() && !stopped(); ++n)
-      if (comes({}, witness_.c)) return n;
-    return 0;
+  // It could say hello.
+  [[nodiscard]] bool is_known() const { return !capabilities_.fields.empty(); }
+  // An engine in this process has no memory and no moods.
+  [[nodiscard]] bool has_moods() const { return subject_.starts() > 0; }
+  [[nodiscard]] bool is_waited_for() const { return !is_known() || key_.kind == name(FaultKind::hang); }
+  [[nodiscard]] std::uint64_t tries() const {
+    return !has_moods() ? 1 : is_waited_for() ? kTriesOfWaits : is_fault(key_) ? kTriesOfFaults : kTries;
   }
-
-  // An engine in this process has no memory and no moods; a hang is waited for each time.
-  [[nodiscard]] std::uint64_t most_tries() const {
-    constexpr std::uint64_t kHangs = 2;
-    return subject_.starts() == 0 ? 1 : key_.kind == name(FaultKind::hang) ? kHangs : kMostTries;
-  }
+  [[nodiscard]] std::uint64_t most_tries() const { return has_moods() && !is_waited_for() ? kMostTries : tries(); }
 
   [[nodiscard]] bool stopped() const { return options_.stop && options_.stop(); }
 
-  // Judged afresh; nothing if no control could read it.
-  std::optional<Judgement> judge(const spec::Case& c, const std::function<Answer()>& ask) {
+  // It came of a fresh process that was asked nothing else. Whether it comes of one that was asked before, too, says
+  // whether one process will do for all that follows.
+  void by_itself() {
+    finding_.before.clear();
+    Way way;
+    if (!every_time(way, tries() - 1)) {
+      way.fresh = true;
+      // What comes only now and then cannot be shrunk: any smaller program may fail by chance to show it.
+      if (!every_time(way, tries() - 1)) {
+        describe();
+        count({}, 0);
+        return;
+      }
+    }
+    shrink_program(way);
+  }
+
+  void behind_others() {
+    Way way{.fresh = true, .before = fewest(witness_.before)};
+    // Where their number alone matters, the case itself will do for each.
+    const Way counted{.fresh = true, .before = {}, .repeats = way.before.size()};
+    if (comes(counted))
+      way = counted;
+    else
+      way.before = without_the_needless(way.before);
+    shrink_program(way);
+  }
+
+  void by_chance() {
+    for (std::uint64_t n = 2; n <= most_tries() && !stopped(); ++n)
+      if (comes({})) {
+        finding_.before.clear();
+        describe();
+        count({}, 0);
+        return;
+      }
+    if (stopped()) return;
+    finding_.before = last_of(finding_.before, kRequestsKept);
+    finding_.tried = most_tries();
+  }
+
+  // A case of which it is worth while to ask; nothing where no control could read it.
+  std::optional<fuzz::ModelRun> candidate(const spec::Case& c) const {
     try {
-      const fuzz::ModelRun run = fuzz::run_model(c);
+      fuzz::ModelRun run = fuzz::run_model(c);
       // A fault costs a restart, a hang its time-out: no need to see it once more where the clause is another anyway.
       if (is_fault(key_)) {
         const auto clause = clause_of_fault(run);
         if (key_.clause != (clause ? spec::info(*clause).id : std::string_view())) return std::nullopt;
       }
-      const bool known = !capabilities_.fields.empty();
-      if (known && !why_not_applicable(capabilities_, c).empty()) return std::nullopt;
-      answer_ = ask();
-      return judge_answer(capabilities_, c, run, answer_);
+      if (is_known() && !why_not_applicable(capabilities_, c).empty()) return std::nullopt;
+      return run;
     } catch (const std::exception&) {
       return std::nullopt;
     }
   }
 
-  bool fails(const spec::Case& c, const std::optional<Judgement>& j) const {
-    return j && j->result == Result::differs && key_of(c, *j) == key_;
+  std::optional<Judgement> judge(const spec::Case& c, const Way& way, milliseconds patience) {
+    const auto run = candidate(c);
+    if (!run) return std::nullopt;
+    try {
+      if (way.fresh) subject_.restart();
+      for (const spec::Case& earlier : way.before_of(c)) {
+        if (stopped()) return std::nullopt;
+        static_cast<void>(subject_.run(earlier, patience));
+      }
+      answer_ = subject_.run(c, patience);
+      return judge_answer(capabilities_, c, *run, answer_);
+    } catch (const std::exception&) {
+      return std::nullopt;
+    }
   }
 
-  // Whether a fresh process fails so too, given the real time-out.
-  bool comes(const std::vector<spec::Case>& before, const spec::Case& c) {
-    const auto j = judge(c, [&] { return ask_fresh(subject_, before, c, options_.timeout); });
-    if (!fails(c, j)) return false;
+  // Whether the case fails so, asked this way.
+  bool comes(const Way& way, const spec::Case& c, milliseconds patience) {
+    const auto j = judge(c, way, patience);
+    if (!j || j->result != Result::differs || key_of(c, *j) != key_) return false;
     spec::Case bare = c;
     bare.expect.clear();
     bare.has_expect = false;
-    last_ = Witness{std::move(bare), *j, events_in_double(answer_), before};
+    last_ = Witness{std::move(bare), *j, events_in_double(answer_), way.before_of(c)};
+    return true;
+  }
+  bool comes(const Way& way) { return comes(way, witness_.c, options_.timeout); }
+
+  bool every_time(const Way& way, std::uint64_t times) {
+    for (std::uint64_t n = 0; n < times && !stopped(); ++n)
+      if (!comes(way)) return false;
     return true;
   }
 
-  // The last of them that suffice, then without those that are not needed.
-  std::vector<spec::Case> fewest(std::vector<spec::Case> before) {
-    std::size_t runs = 0;
-    std::size_t requests = 0;
-    const auto suffices = [&](const std::vector<spec::Case>& fewer) {
-      requests += fewer.size() + 1;
-      return ++runs <= kSequenceRuns && requests <= kSequenceRequests && !stopped() && comes(fewer, witness_.c);
-    };
-    const auto last = [&](std::size_t n) {
-      return std::vector<spec::Case>(before.end() - static_cast<std::ptrdiff_t>(n), before.end());
-    };
+  // Whether fewer requests before it will do.
+  bool suffice(std::vector<spec::Case> fewer) {
+    requests_ += fewer.size() + 1;
+    return ++fresh_runs_ <= kFreshRuns && requests_ <= kRequests && !stopped() &&
+           comes({.fresh = true, .before = std::move(fewer)});
+  }
+
+  // The last of them that suffice.
+  std::vector<spec::Case> fewest(const std::vector<spec::Case>& before) {
     // Too few are `few`, enough are `enough`.
     std::size_t few = 0;
     std::size_t enough = before.size();
     // One by one at first: a fault that comes every so often comes behind few, and not behind some more.
     for (std::size_t n = 1; n < before.size(); n = n < kOneByOne ? n + 1 : 2 * n) {
-      if (suffices(last(n))) {
+      if (suffice(last_of(before, n))) {
         enough = n;
         break;
       }
@@ -136,15 +191,18 @@ class Evidence {
     }
     while (enough - few > 1) {
       const std::size_t n = few + (enough - few) / 2;
-      (suffices(last(n)) ? enough : few) = n;
+      (suffice(last_of(before, n)) ? enough : few) = n;
     }
-    before = last(enough);
+    return last_of(before, enough);
+  }
+
+  std::vector<spec::Case> without_the_needless(std::vector<spec::Case> before) {
     for (std::size_t part = before.size() / 2; part > 0; part /= 2)
-      for (std::size_t at = 0; at + part <= before.size();) {
+      for (std::size_t at = 0; at + part <= before.size() && before.size() > part;) {
         std::vector<spec::Case> fewer = before;
         const auto from = fewer.begin() + static_cast<std::ptrdiff_t>(at);
         fewer.erase(from, from + static_cast<std::ptrdiff_t>(part));
-        if (!fewer.empty() && suffices(fewer))
+        if (suffice(fewer))
           before = std::move(fewer);
         else
           at += part;
@@ -152,52 +210,52 @@ class Evidence {
     return before;
   }
 
-  // One process for all candidates, where nothing has to be asked before: what it has been asked makes no difference,
-  // which fresh processes then confirm.
-  void shrink_program(const std::vector<spec::Case>& before) {
-    const Witness whole = last_;
+  void shrink_program(const Way& way) {
     const bool faulty = is_fault(key_);
     std::size_t faulty_runs = 0;
     const auto given_up = [&] { return stopped() || (faulty && faulty_runs == kMostFaultyRuns); };
     const auto still_fails = [&](const spec::Case& c) {
-      if (given_up()) return false;
-      const auto j = judge(
-          c, [&] { return before.empty() ? subject_.run(c, patience_) : ask_fresh(subject_, before, c, patience_); });
-      const bool failed = fails(c, j);
-      if (failed) ++faulty_runs;
-      return failed;
+      // Without a hello no program is to blame.
+      if (!is_known()) return !stopped() && candidate(c).has_value();
+      if (given_up() || !comes(way, c, patience_)) return false;
+      ++faulty_runs;
+      return true;
     };
-    const std::size_t most = before.empty() ? options_.shrink_runs : std::min(options_.shrink_runs, kSequenceRuns);
-    Shrunk shrunk = shrink(witness_.c, still_fails, {most});
+    const Witness whole = last_;
+    const Shrunk shrunk = shrink(witness_.c, still_fails,
+                                 {way.fresh ? std::min(options_.shrink_runs, kFreshRuns) : options_.shrink_runs});
     finding_.runs = shrunk.runs;
     finding_.complete = shrunk.complete && !given_up();
-    // What looks like a hang under a short time-out must be one under the real one; else the case stays as it was.
-    const bool confirmed = comes(before, shrunk.smallest);
+    // What one process was asked must make no difference, and what looks like a hang under a short time-out must be one
+    // under the real one; else the case stays as it was.
+    Way again = way;
+    again.fresh = true;
+    const bool confirmed = (way.fresh && !is_waited_for()) || comes(again, shrunk.smallest, options_.timeout);
     if (!confirmed) {
       finding_.complete = false;
       last_ = whole;
     }
-    describe(last_);
-    finding_.seen = finding_.tried = confirmed ? 1 : 0;
+    describe();
+    count(way, confirmed ? 1 : 0);
   }
 
-  void describe(const Witness& witness) {
-    const Finding shrunk = std::exchange(finding_, as_seen(capabilities_, witness));
+  // The finding is what failed last.
+  void describe() {
+    const Finding shrunk = std::exchange(finding_, as_seen(capabilities_, last_));
     finding_.first_case = shrunk.first_case;
-    finding_.before = shrunk.before;
     finding_.runs = shrunk.runs;
     finding_.complete = shrunk.complete;
-    finding_.seen = finding_.tried = 0;
     if (finding_.errors.empty()) finding_.errors = subject_.errors();
   }
 
-  // What was confirmed once already counts.
-  void count() {
+  // How often it comes, where it came so many times already.
+  void count(const Way& way, std::uint64_t came) {
     const spec::Case smallest = finding_.smallest;
-    while (finding_.tried < most_tries() && !stopped()) {
+    finding_.seen = finding_.tried = came;
+    while (finding_.tried < most_tries() && (finding_.tried == 0 || !stopped())) {
       ++finding_.tried;
-      if (comes(finding_.before, smallest)) ++finding_.seen;
-      if (finding_.tried == kTries && finding_.seen == kTries) break;
+      if (comes(way, smallest, options_.timeout)) ++finding_.seen;
+      if (finding_.tried >= tries() && finding_.seen == finding_.tried) break;
     }
   }
 
@@ -207,12 +265,18 @@ class Evidence {
   const EvidenceOptions& options_;
   FailureKey key_;
   milliseconds patience_;
+  std::size_t fresh_runs_ = 0;  // for the requests before it
+  std::size_t requests_ = 0;
   Answer answer_;  // the last
-  Witness last_;   // the last that failed, of a fresh process
+  Witness last_;   // the last that failed
   Finding finding_;
 };
 
 }  // namespace
+
+std::vector<spec::Case> last_of(const std::vector<spec::Case>& cases, std::size_t n) {
+  return {cases.end() - static_cast<std::ptrdiff_t>(std::min(n, cases.size())), cases.end()};
+}
 
 bool is_fault(const FailureKey& key) {
   constexpr std::array kFaults = {FaultKind::crash, FaultKind::hang, FaultKind::malformed, FaultKind::too_long,

@@ -24,8 +24,15 @@ struct Witness {
 struct EvidenceOptions {
   std::size_t shrink_runs = 2000;             // executions a finding may take
   std::chrono::milliseconds timeout{10'000};  // for one answer
-  std::function<bool()> stop;                 // whether to come to an end: then it stays as it was seen
+  // Whether to come to an end. What is known by then stays; before it is known how the finding comes, it is as it was
+  // seen, tried never.
+  std::function<bool()> stop;
 };
+
+// Of what never comes again, and of what is not asked again, so many requests before it are kept.
+inline constexpr std::size_t kRequestsKept = 50;
+// The last of them, `n` at most.
+std::vector<spec::Case> last_of(const std::vector<spec::Case>& cases, std::size_t n);
 
 // Whether it is a fault of a controller (FaultKind).
 bool is_fault(const FailureKey& key);
@@ -36,9 +43,10 @@ std::chrono::milliseconds short_patience(const Subject& subject, std::chrono::mi
 // The witness as a finding, without asking again.
 Finding as_seen(const Capabilities& capabilities, const Witness& witness);
 
-// Asks fresh processes again: for the case alone, else behind all that came before it. What comes again is shrunk, the
-// program and the requests before it; what does not is kept as it was seen. In any case `seen` of `tried` says how
-// often it came. A controller that cannot say hello has no capabilities.
+// Asks again: a fresh process for the case alone, else for all that came before it and then the case. What comes again
+// is shrunk, the program and the requests before it, in one process as long as that lives, where nothing has to be
+// asked before; a fresh one then confirms it. What does not come again is kept as it was seen. In any case `seen` of
+// `tried` says how often it came. A controller that cannot say hello has no capabilities.
 Finding make_finding(Subject& subject, const Capabilities& capabilities, const Witness& witness,
                      const EvidenceOptions& options);
 

@@ -85,6 +85,7 @@ std::string write_finding(const Finding& finding) {
   add("occurrences", std::to_string(finding.occurrences));
   add("seen", std::to_string(finding.seen));
   add("tried", std::to_string(finding.tried));
+  add_text("not_settled", finding.not_settled);
   if (!finding.before.empty()) {
     std::string cases;
     for (const spec::Case& c : finding.before) cases += (cases.empty() ? "\n  " : ",\n  ") + spec::write_case_line(c);
@@ -105,10 +106,10 @@ Finding read_finding(std::string_view text, const std::string& file) {
     return finding;
   }
   read.keys(root, "finding",
-            {"finding",      "kind",       "clause",      "line",       "field",     "expected",     "actual",
-             "deviation_um", "status",     "errors",      "controller", "directory", "capabilities", "seed",
-             "tool",         "first_case", "occurrences", "seen",       "tried",     "before",       "case",
-             "target",       "executions", "seconds",     "alone"});
+            {"finding",      "kind",       "clause",      "line",       "field",      "expected",     "actual",
+             "deviation_um", "status",     "errors",      "controller", "directory",  "capabilities", "seed",
+             "tool",         "first_case", "occurrences", "seen",       "tried",      "before",       "case",
+             "target",       "executions", "seconds",     "alone",      "not_settled"});
   (void)read.integer(*root.find("finding"), "finding", 1, 1);
   const Node* c = root.find("case");
   if (c == nullptr) read.fail(root.at, "a finding needs a case");
@@ -137,6 +138,7 @@ Finding read_finding(std::string_view text, const std::string& file) {
   finding.occurrences = count_of(root, "occurrences", read, 1);
   finding.seen = count_of(root, "seen", read, 1);
   finding.tried = count_of(root, "tried", read, 1);
+  finding.not_settled = text_of(root, "not_settled", read);
   if (const Node* before = given(root, "before")) {
     read.expect(*before, Kind::array, "before");
     for (const Node& item : before->items) finding.before.push_back(spec::case_from(item, read));

@@ -37,11 +37,12 @@ struct Finding {
   std::string first_case;          // id of the case it was shrunk from
   std::uint64_t occurrences = 1;   // cases with the same key
   std::vector<spec::Case> before;  // what the same process has to be asked before, in order
-  std::uint64_t seen = 1;          // so many times, of so many tries with fresh processes
+  std::uint64_t seen = 1;          // so many times, of so many tries
   std::uint64_t tried = 1;
-  std::size_t runs = 0;  // executions that shrinking took
-  bool complete = true;  // nothing simpler fails in the same way
-  std::string alone;     // who stands alone among model, engine and formal specification (voices.h); empty: not asked
+  std::string not_settled;  // why it is as it was seen: neither tried again nor shrunk; empty: it was
+  std::size_t runs = 0;     // executions that shrinking took
+  bool complete = true;     // nothing simpler fails in the same way
+  std::string alone;  // who stands alone among model, engine and formal specification (voices.h); empty: not asked
 
   // For the report's picture, not written to the file.
   std::vector<spec::Event<double>> expected_events;

@@ -62,6 +62,8 @@ Json to_json(const Finding& f, std::size_t index) {
   json["occurrences"] = f.occurrences;
   json["seen"] = f.seen;
   json["tried"] = f.tried;
+  json["settled"] = f.not_settled.empty();
+  if (!f.not_settled.empty()) json["not_settled"] = f.not_settled;
   json["requests_before"] = f.before.size();
   if (!f.status.empty()) json["status"] = f.status;
   if (!f.errors.empty()) json["errors"] = f.errors;
@@ -75,7 +77,8 @@ Json to_json(const Finding& f, std::size_t index) {
 std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 std::string failure(const Finding& f) {
-  return fmt::format(R"(<failure type="{}" message="{}">{}</failure>)", escape(f.key.kind), escape(explanation(f)),
+  return fmt::format(R"(<failure type="{}" message="{}">{}</failure>)", escape(f.key.kind),
+                     escape(f.not_settled.empty() ? explanation(f) : explanation(f) + " Not settled: " + f.not_settled),
                      escape(f.smallest.program));
 }
 
@@ -167,6 +170,7 @@ std::string how_it_comes(const Finding& f) {
   std::string text;
   if (!f.before.empty())
     text += fmt::format(", after {} request{} before it", f.before.size(), f.before.size() == 1 ? "" : "s");
+  if (!f.not_settled.empty()) return text + ", not settled: " + f.not_settled;
   if (f.tried == 0) return text + ", not tried again";
   if (f.seen < f.tried) text += fmt::format(", in {} of {} runs", f.seen, f.tried);
   return text;
@@ -207,7 +211,10 @@ std::string json_report(const Certificate& c) {
   for (std::size_t i = 0; i < c.findings.size(); ++i) json["findings"].push_back(to_json(c.findings[i], i));
   json["causes"] = Json::array();
   for (const SharedCause& cause : c.causes)
-    json["causes"].push_back({{"cause", cause.words}, {"findings", cause.findings}});
+    json["causes"].push_back({{"cause", cause.words}, {"findings", cause.findings}, {"cases", cause.cases}});
+  json["settling"] = {{"seconds", std::chrono::duration<double>(c.settling).count()},
+                      {"groups", c.causes.size()},
+                      {"settled", groups_settled(c)}};
   json["read_without_effect"] = c.without_effect;
   json["unsettled"] = Json::array();
   for (const Unsettled& u : c.unsettled)

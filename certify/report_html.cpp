@@ -121,8 +121,9 @@ std::string identity(const Certificate& c) {
                 {"clause set", code(id.clause_hash)},
                 {"golden corpus", golden},
                 {"setups", fmt::format("{} different ones {}", id.setups, code(id.setup_hash))}}) +
-         "<p class=\"soft\">Hashes are SHA-256. Apart from the date, the same tool, seed and corpus give the same "
-         "certificate.</p>\n";
+         "<p class=\"soft\">Hashes are SHA-256. Apart from the date, and from what there was no time to settle, the "
+         "same "
+         "tool, seed and corpus give the same certificate.</p>\n";
 }
 
 // For the one who signs: it stands alone on its sheet of paper.
@@ -216,10 +217,10 @@ std::string finding(const Finding& f, std::size_t index) {
   std::vector<Row> rows{{"field", code(f.field)}, {"expected", code(f.expected)}, {"actual", code(f.actual)}};
   if (f.deviation_um != 0) rows.push_back({"deviation", escape(small(f.deviation_um)) + " µm"});
   rows.push_back({"cases", fmt::format("{}, the first {}", f.occurrences, code(f.first_case))});
+  if (!f.not_settled.empty()) rows.push_back({"not settled", escape(f.not_settled)});
   if (!f.status.empty()) rows.push_back({"the process", escape(f.status)});
   if (!f.before.empty()) rows.push_back({"asked before", fmt::format("{} cases, in the file", f.before.size())});
-  if (f.seen < f.tried || f.tried == 0)
-    rows.push_back({"comes again", f.tried == 0 ? "not tried" : fmt::format("in {} of {} runs", f.seen, f.tried)});
+  if (f.seen < f.tried) rows.push_back({"comes again", fmt::format("in {} of {} runs", f.seen, f.tried)});
   rows.push_back({"judge again", code("toolcomp replay findings/" + file_name(f, index))});
   out += facts(rows);
   out += listing(f.smallest.program, f.line);
@@ -237,27 +238,40 @@ std::string finding(const Finding& f, std::size_t index) {
   return out + "</article>\n";
 }
 
+// Its row among all findings; where another stands for its group, that is all there is of it.
+Row finding_row(const Finding& f, std::size_t index, bool shown) {
+  const std::string number = shown ? fmt::format("<a href=\"#finding-{0}\">{0}</a>", index + 1)
+                                   : fmt::format("<span id=\"finding-{0}\">{0}</span>", index + 1);
+  return {number,
+          code(section_name(f.key.section)),
+          f.key.clause.empty() ? "—" : code(f.key.clause),
+          escape(f.key.kind),
+          f.not_settled.empty() ? "yes" : "no: " + escape(f.not_settled),
+          code("findings/" + file_name(f, index)),
+          count(f.occurrences)};
+}
+
 std::string findings(const Certificate& c) {
   std::string out = "<h2 id=\"findings\">Findings</h2>\n";
   if (c.findings.empty()) return out + "<p>None.</p>\n";
+  std::vector<bool> shown(c.findings.size(), c.causes.empty());
   if (!c.causes.empty()) {
-    std::vector<Row> causes{{"what it looks like", "findings", ""}};
+    std::vector<Row> causes{{"what it looks like", "findings", "cases", "findings, the one that stands for it first"}};
     for (const SharedCause& cause : c.causes) {
+      shown[cause.findings.front()] = true;
       std::string links;
       for (const std::size_t i : cause.findings) links += fmt::format("<a href=\"#finding-{0}\">{0}</a> ", i + 1);
-      causes.push_back({escape(cause.words), count(cause.findings.size()), links});
+      causes.push_back({escape(cause.words), count(cause.findings.size()), count(cause.cases), links});
     }
-    out +=
-        table(causes) + "<p class=\"soft\">Each explains its findings whole; another mistake may look the same.</p>\n";
+    out += table(causes) + "<p class=\"soft\">Each explains its findings whole; another mistake may look the same. " +
+           escape(words_on_settling(c)) +
+           ": asked again and shortened. The other findings are as they were seen.</p>\n";
   }
-  std::vector<Row> rows{{"", "section", "clause of first divergence", "kind", "cases"}};
-  for (std::size_t i = 0; i < c.findings.size(); ++i) {
-    const Finding& f = c.findings[i];
-    rows.push_back({fmt::format("<a href=\"#finding-{0}\">{0}</a>", i + 1), code(section_name(f.key.section)),
-                    f.key.clause.empty() ? "—" : code(f.key.clause), escape(f.key.kind), count(f.occurrences)});
-  }
-  out += table(rows, 4);
-  for (std::size_t i = 0; i < c.findings.size(); ++i) out += finding(c.findings[i], i);
+  std::vector<Row> rows{{"", "section", "clause of first divergence", "kind", "settled", "file", "cases"}};
+  for (std::size_t i = 0; i < c.findings.size(); ++i) rows.push_back(finding_row(c.findings[i], i, shown[i]));
+  out += table(rows, 6);
+  for (std::size_t i = 0; i < c.findings.size(); ++i)
+    if (shown[i]) out += finding(c.findings[i], i);
   return out;
 }
 

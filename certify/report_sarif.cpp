@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <string_view>
 
 #include "certify/report.h"
@@ -63,48 +62,28 @@ std::string fingerprint(const FailureKey& key) {
   return corpus::sha256(key.section + '\n' + key.clause + '\n' + key.kind);
 }
 
-// Findings that one mistake explains, or one alone.
-struct Group {
-  std::string cause;
-  std::vector<std::size_t> findings;
-};
-
-std::vector<Group> groups_of(const Certificate& c) {
-  std::vector<Group> groups;
-  std::set<std::size_t> explained;
-  for (const SharedCause& cause : c.causes) {
-    Group group{cause.words, {}};
-    for (const std::size_t i : cause.findings)
-      if (i < c.findings.size() && explained.insert(i).second) group.findings.push_back(i);
-    if (!group.findings.empty()) groups.push_back(std::move(group));
-  }
-  for (std::size_t i = 0; i < c.findings.size(); ++i)
-    if (!explained.contains(i)) groups.push_back({{}, {i}});
-  return groups;
-}
-
-Json result(const Certificate& c, const Group& group, const std::vector<std::string>& rules) {
+Json result(const Certificate& c, const SharedCause& group, const std::vector<std::string>& rules) {
   const Finding& first = c.findings[group.findings.front()];
   const std::string id = rule_of(first.key);
   Json json{{"ruleId", id}, {"ruleIndex", std::ranges::find(rules, id) - rules.begin()}, {"level", "error"}};
-  std::string message = explanation(first);
-  if (!group.cause.empty())
-    message = fmt::format("{} ({} findings). The first: {}", group.cause, group.findings.size(), message);
+  const std::string message =
+      fmt::format("{} ({} findings). The first: {}{}", group.words, group.findings.size(), explanation(first),
+                  first.not_settled.empty() ? "" : " Not settled: " + first.not_settled + ".");
   json["message"] = text(message);
   json["locations"] = Json::array({location(first, group.findings.front())});
   for (std::size_t i = 1; i < group.findings.size(); ++i)
     json["relatedLocations"].push_back(location(c.findings[group.findings[i]], group.findings[i]));
   json["partialFingerprints"] = {{"finding/v1", fingerprint(first.key)}};
-  std::uint64_t cases = 0;
-  for (const std::size_t i : group.findings) cases += c.findings[i].occurrences;
-  json["occurrenceCount"] = std::max<std::uint64_t>(cases, 1);
-  json["properties"] = {{"section", first.key.section}, {"kind", first.key.kind}};
+  json["occurrenceCount"] = std::max<std::uint64_t>(group.cases, 1);
+  json["properties"] = {
+      {"section", first.key.section}, {"kind", first.key.kind}, {"settled", first.not_settled.empty()}};
   return json;
 }
 
 Json invocation(const Certificate& c) {
   Json json{{"executionSuccessful", exit_status(c) <= 1}, {"exitCode", exit_status(c)}};
   Json notes = Json::array({notification("note", verdict(c))});
+  if (!c.causes.empty()) notes.push_back(notification("note", words_on_settling(c)));
   if (!c.self_check.empty()) notes.push_back(notification("error", "self-check failed: " + c.self_check));
   if (!c.interrupted.empty()) notes.push_back(notification("warning", c.interrupted));
   if (const std::uint64_t not_run = cases_not_run(c); not_run > 0)
@@ -119,15 +98,14 @@ Json invocation(const Certificate& c) {
 }  // namespace
 
 std::string sarif_report(const Certificate& c) {
-  const std::vector<Group> groups = groups_of(c);
   std::vector<std::string> ids;
-  for (const Group& group : groups)
+  for (const SharedCause& group : c.causes)
     if (std::string id = rule_of(c.findings[group.findings.front()].key); std::ranges::find(ids, id) == ids.end())
       ids.push_back(std::move(id));
   Json rules = Json::array();
   for (const std::string& id : ids) rules.push_back(rule(id));
   Json results = Json::array();
-  for (const Group& group : groups) results.push_back(result(c, group, ids));
+  for (const SharedCause& group : c.causes) results.push_back(result(c, group, ids));
   return sarif::log(std::move(rules), invocation(c), std::move(results));
 }
 

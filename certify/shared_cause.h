@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ namespace toolcomp::certify {
 struct SharedCause {
   std::string words;                  // "axes.X is off by 1e-06"
   std::vector<std::size_t> findings;  // which it explains, by index
+  std::uint64_t cases = 0;            // with one of them
 };
 
 // The mistakes, as few as will do, each with the findings that it explains whole: with it the model's events are those

@@ -176,10 +176,13 @@ void print(const certify::SectionResult& s) {
   fmt::print("\n");
 }
 
-void print(const certify::Finding& finding, const fs::path& file) {
-  fmt::print("\n{} {} {} ({} cases, first {}{})\n  {}\n{}  toolcomp replay {}\n",
-             painted(Paint::bad, "FINDING", Stream::out), finding.key.kind, finding.key.clause, finding.occurrences,
-             finding.first_case, certify::how_it_comes(finding), certify::explanation(finding),
+// A group of findings, by the one that stands for it.
+void print(const certify::SharedCause& group, const certify::Finding& finding, const fs::path& file) {
+  const bool explained = !group.words.starts_with("not explained");
+  fmt::print("\n{} {} {} ({} cases, first {}{})\n  {}{}, in {} finding{}\n  {}\n{}  toolcomp replay {}\n",
+             painted(Paint::bad, "FINDING", Stream::out), finding.key.kind, finding.key.clause, group.cases,
+             finding.first_case, certify::how_it_comes(finding), explained ? "looks like: " : "", group.words,
+             group.findings.size(), group.findings.size() == 1 ? "" : "s", certify::explanation(finding),
              finding.smallest.program, file.string());
 }
 
@@ -189,9 +192,10 @@ void print(const certify::Certificate& certificate, const std::vector<fs::path>&
   for (const certify::Unsettled& unsettled : certificate.unsettled)
     std::cerr << unsettled.id << ": " << certify::name(unsettled.result)
               << (unsettled.why.empty() ? "" : ", " + unsettled.why) << '\n';
-  for (std::size_t i = 0; i < findings.size(); ++i) print(certificate.findings[i], findings[i]);
-  for (const certify::SharedCause& cause : certificate.causes)
-    fmt::print("\nlooks like, in {} of {} findings: {}\n", cause.findings.size(), findings.size(), cause.words);
+  for (const certify::SharedCause& group : certificate.causes)
+    print(group, certificate.findings[group.findings.front()], findings[group.findings.front()]);
+  if (!findings.empty())
+    fmt::print("\n{} findings; {} (--settle)\n", findings.size(), certify::words_on_settling(certificate));
   if (!certificate.self_check.empty()) std::cerr << "self-check failed: " << certificate.self_check << '\n';
   if (!certificate.without_effect.empty())
     fmt::print("read, no effect on what is judged: {}\n", fmt::join(certificate.without_effect, " "));
@@ -257,6 +261,7 @@ int certify(const CertifyOptions& options) {
   campaign.sections = options.sections;
   campaign.seed = options.seed;
   campaign.accepted_resolution = options.accept_resolution;
+  campaign.settling.budget = options.settle == "0" ? std::chrono::seconds(0) : duration_of(options.settle, "--settle");
   campaign.timeout = std::chrono::milliseconds(std::llround(options.timeout * 1000));
   for (spec::Case& c : read_inputs(options)) campaign.cases.push_back({std::move(c), certify::Origin::own});
   if (adapter && options.inputs.empty())
@@ -296,6 +301,15 @@ int certify(const CertifyOptions& options) {
   };
   campaign.choosing = [elapsed](const std::string& section, std::uint64_t looked_at) {
     Progress::line(fmt::format("{}: cases chosen out of {}, {:.0f} s", section, looked_at, elapsed()));
+  };
+  std::size_t begun = 0;
+  campaign.settling.told = [&](const certify::SettlingGroup& group) {
+    const std::string line = fmt::format("group {} of {}: {}", group.number, group.groups, group.cause.words);
+    if (can_redraw())
+      Progress::line(fmt::format("{:.0f} s, settling {}", elapsed(), line));
+    else if (group.number > begun)
+      note(fmt::format("settling, {} at most for all: {}", options.settle, line));
+    begun = group.number;
   };
   certify::Certificate certificate = certify::certify(campaign);
   certificate.occasion = occasion_of(options);

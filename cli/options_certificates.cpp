@@ -53,6 +53,10 @@ void define_certify(CommandLine& line) {
   take_timeout(sub, options->timeout, "Seconds a case may take");
   take(sub, "--time-limit", options->time_limit, "TIME",
        "60s, 10m, 1h: what is not judged by then is not run; the report says so");
+  take(sub, "--settle", options->settle, "TIME",
+       "30s, 5m, 0: time to ask again for one finding of each group and to shorten it; what is not settled by then "
+       "says so")
+      ->capture_default_str();
   take_accept_resolution(sub, options->accept_resolution);
   sub->add_flag("--widths", options->widths, "Print how wide what the verdict policy grants is, section by section");
   take(sub, "--tolerance", options->tolerance, "LENGTH",

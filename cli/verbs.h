@@ -73,7 +73,8 @@ struct CertifyOptions {
   std::string corpus;                  // folder of the golden corpus, to be judged besides cases named
   std::uint64_t seed = 1;
   double timeout = 10;
-  std::string time_limit;  // "60s", "10m", "1h"
+  std::string time_limit;      // "60s", "10m", "1h"
+  std::string settle = "30s";  // the same, or "0"
   std::string tolerance;
   std::string rotary_tolerance;
   std::string frame = "workpiece";

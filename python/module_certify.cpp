@@ -54,6 +54,7 @@ struct Asked {
   std::uint64_t seed = 1;
   double timeout = 10;    // seconds
   double time_limit = 0;  // seconds; 0: none
+  double settle = 30;     // seconds
   std::string accept_resolution;
   unsigned jobs = 1;
   std::string report;  // folder; empty: none
@@ -105,6 +106,7 @@ class Campaign {
     options_.timeout = std::chrono::milliseconds(std::llround(asked.timeout * 1000));
     options_.accepted_resolution = asked.accept_resolution;
     options_.jobs = asked.jobs;
+    options_.settling.budget = std::chrono::milliseconds(std::llround(asked.settle * 1000));
     if (!asked.corpus.empty()) {
       const corpus::Manifest manifest = corpus::read_manifest(asked.corpus);
       options_.corpus = manifest.version;
@@ -204,14 +206,14 @@ void bind_certify(py::module_& module) {
       [](const std::string& command, const std::optional<PythonController>& controller,
          const std::vector<std::string>& sections, const std::vector<std::shared_ptr<Program>>& programs,
          const std::string& corpus, std::uint32_t cases, std::uint64_t seed, double timeout, double time_limit,
-         const std::string& accept_resolution, unsigned jobs, const std::string& report,
+         double settle, const std::string& accept_resolution, unsigned jobs, const std::string& report,
          const std::optional<std::function<void(std::uint64_t, std::uint64_t)>>& progress) {
-        return certify_asked({command, controller, sections, programs, corpus, cases, seed, timeout, time_limit,
+        return certify_asked({command, controller, sections, programs, corpus, cases, seed, timeout, time_limit, settle,
                               accept_resolution, jobs, report, progress});
       },
       py::kw_only(), py::arg("command"), py::arg("controller"), py::arg("sections"), py::arg("programs"),
       py::arg("corpus"), py::arg("cases"), py::arg("seed"), py::arg("timeout"), py::arg("time_limit"),
-      py::arg("accept_resolution"), py::arg("jobs"), py::arg("report"), py::arg("progress"));
+      py::arg("settle"), py::arg("accept_resolution"), py::arg("jobs"), py::arg("report"), py::arg("progress"));
 }
 
 }  // namespace toolcomp::python

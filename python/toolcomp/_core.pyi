@@ -66,6 +66,7 @@ def certify(
     seed: int,
     timeout: float,
     time_limit: float,
+    settle: float,
     accept_resolution: str,
     jobs: int,
     report: str,

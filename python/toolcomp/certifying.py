@@ -87,6 +87,7 @@ def certify(
     jobs: int = 1,
     timeout: float = 10.0,
     time_limit: float | None = None,
+    settle: float = 30.0,
     accept_resolution: str = "",
     raise_errors: bool = False,
     report: str | os.PathLike[str] | None = None,
@@ -110,6 +111,7 @@ def certify(
     :param jobs: controllers side by side; a Python controller has one processor at most
     :param timeout: of a command, seconds for one answer
     :param time_limit: seconds, after which what was not run is counted
+    :param settle: seconds, within which one finding of each group is asked again and shortened
     :param accept_resolution: of a controller whose numbers are coarse (docs/protocol.md)
     :param report: the folder of a report
     :param progress: called with the cases done and their number
@@ -122,8 +124,8 @@ def certify(
     if corpus is None:
         corpus = not alone
     golden = "" if corpus is False else os.fspath(_corpus.folder() if corpus is True else corpus)
-    if cases < 0 or seed < 0 or jobs < 1 or not timeout > 0 or (time_limit is not None and not time_limit > 0):
-        raise ValueError("cases and seed must not be negative; jobs, timeout and time_limit must be positive")
+    if cases < 0 or seed < 0 or jobs < 1 or not timeout > 0 or settle < 0 or (time_limit is not None and not time_limit > 0):
+        raise ValueError("cases, seed and settle must not be negative; jobs, timeout and time_limit must be positive")
     command, in_python = _subject(controller, wanted, fields, raise_errors)
     certificate = _core.certify(
         command=command,
@@ -135,6 +137,7 @@ def certify(
         seed=seed,
         timeout=timeout,
         time_limit=time_limit or 0,
+        settle=settle,
         accept_resolution=accept_resolution,
         jobs=jobs,
         report="" if report is None else os.fspath(report),

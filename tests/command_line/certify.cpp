@@ -66,10 +66,10 @@ INSTANTIATE_TEST_SUITE_P(Wrappers, Faults,
 TEST_P(Faults, AreFound) {
   const Folder folder;
   const std::string controller = wrapper(folder, "controller.sh", GetParam().second);
-  // Two sections: with all of them hundreds of findings are shrunk.
+  // Two sections: all of them take longer, and show no more.
   const Outcome outcome = toolcomp("certify --controller '" + controller +
                                    "' --section fanuc/tool-length-offset --section heidenhain/face-milling --cases 60"
-                                   " --corpus " TOOLCOMP_SOURCE_DIR "/corpus/golden --timeout 3 --report " +
+                                   " --corpus " TOOLCOMP_SOURCE_DIR "/corpus/golden --timeout 120 --report " +
                                    folder.path("report"));
   EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
   const std::filesystem::path findings = folder.path("report/findings");
@@ -85,6 +85,29 @@ TEST_P(Faults, AreFound) {
     }
   }
   EXPECT_GT(count, 0U);
+}
+
+// What is not settled says so; so does the time that was given.
+TEST(Certify, SettlesWithinTheTimeGiven) {
+  const Folder folder;
+  const std::string command = "certify --controller '" +
+                              wrapper(folder, "controller.sh", "s/\"X\":[-0-9.]*/\"X\":77/g") +
+                              "' --section fanuc/tool-length-offset --cases 20 --report " + folder.path("report");
+  const auto finding = [&folder] {
+    return json::parse(toolcomp::test::read(folder.path("report/findings/01-coordinate.json")));
+  };
+  const Outcome usual = toolcomp(command + " --settle 600s");
+  EXPECT_EQ(usual.status, 1) << usual.out << usual.err;
+  EXPECT_NE(usual.out.find(" 1 of 1 group settled, in 600 s at most (--settle)"), std::string::npos) << usual.out;
+  EXPECT_NE(usual.err.find("settling, 600s at most for all: group 1 of 1: "), std::string::npos) << usual.err;
+  EXPECT_FALSE(finding().contains("not_settled"));
+  const Outcome none = toolcomp(command + " --settle 0");
+  EXPECT_EQ(none.status, 1) << none.out << none.err;
+  EXPECT_NE(none.out.find(", not settled: not asked for)"), std::string::npos) << none.out;
+  EXPECT_NE(none.out.find(" 0 of 1 group settled, in 0 s at most (--settle)"), std::string::npos) << none.out;
+  EXPECT_EQ(finding().at("not_settled"), "not asked for");
+  EXPECT_EQ(finding().at("tried"), 0);
+  EXPECT_EQ(toolcomp(command + " --settle soon").status, 2);
 }
 
 TEST(Certify, AHangIsAFinding) {

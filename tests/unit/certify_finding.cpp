@@ -44,6 +44,7 @@ Finding example() {
   f.tool = "toolcomp 0.1.0";
   f.first_case = "fanuc.tool-length-offset.seed-1.3";
   f.occurrences = 12;
+  f.not_settled = "no time was left";
   return f;
 }
 
@@ -58,6 +59,7 @@ TEST(FindingFile, IsReadAsItWasWritten) {
   EXPECT_EQ(again.actual, f.actual);
   EXPECT_EQ(again.deviation_um, f.deviation_um);
   EXPECT_EQ(again.controller, f.controller);
+  EXPECT_EQ(again.not_settled, f.not_settled);
   EXPECT_EQ(again.status, f.status);
   EXPECT_EQ(again.directory, f.directory);
   EXPECT_EQ(write_capabilities(again.subject), write_capabilities(f.subject));

@@ -137,6 +137,14 @@ Certificate example() {
   f.actual_events.at(0).axes.set(2, -120);
   f.event = 0;
   c.findings.push_back(f);
+  // Another one of the same group, as it was seen.
+  f.not_settled = "finding 1 stands for its group";
+  f.smallest.program = "(not shown)\n" + f.smallest.program;
+  f.key.kind = "missing event";
+  f.seen = f.tried = 0;
+  c.findings.push_back(f);
+  c.causes = {{"Z of every position has the other sign", {0, 1}, 2}};
+  c.settling = std::chrono::seconds(30);
   return c;
 }
 
@@ -257,6 +265,10 @@ TEST(Report, HtmlSaysEverythingACertificateMust) {
                                   std::string("2.4e+05 µm"),
                                   std::string("<svg"),
                                   std::string("toolcomp replay findings/01-coordinate.json"),
+                                  std::string("Z of every position has the other sign"),
+                                  std::string("1 of 1 group settled, in 30 s at most"),
+                                  std::string("no: finding 1 stands for its group"),
+                                  std::string("findings/02-missing-event.json"),
                                   std::string("Clauses not exercised"),
                                   std::string("Open clauses relied on"),
                                   std::string("CNC &lt;3000&gt; &amp; &quot;Co&quot;"),
@@ -272,7 +284,8 @@ TEST(Report, HtmlSaysEverythingACertificateMust) {
 TEST(Report, JunitHasACaseForEveryClause) {
   const std::string xml = junit_report(example());
   EXPECT_EQ(malformed(xml), "");
-  EXPECT_TRUE(has(xml, "failures=\"1\""));
+  EXPECT_TRUE(has(xml, "failures=\"2\""));
+  EXPECT_TRUE(has(xml, "Not settled: finding 1 stands for its group"));
   EXPECT_TRUE(has(xml, "<skipped"));
   for (const spec::ClauseInfo& clause : spec::clauses())
     if (clause.section == "fanuc/tool-length-offset" && clause.testable && clause.kind != spec::ClauseKind::note &&
@@ -288,6 +301,11 @@ TEST(Report, JsonIsComplete) {
   EXPECT_EQ(json["identity"]["seed"], 17);
   EXPECT_EQ(json["sections"][0]["values"], 4321);
   EXPECT_EQ(json["findings"][0]["file"], "findings/01-coordinate.json");
+  EXPECT_EQ(json["findings"][0]["settled"], true);
+  EXPECT_EQ(json["findings"][1]["settled"], false);
+  EXPECT_EQ(json["findings"][1]["not_settled"], "finding 1 stands for its group");
+  EXPECT_EQ(json["causes"][0]["cases"], 2);
+  EXPECT_EQ(json["settling"], nlohmann::json::parse(R"({"seconds": 30.0, "groups": 1, "settled": 1})"));
   EXPECT_FALSE(json["clauses_not_exercised"].empty());
   EXPECT_FALSE(json["controller"]["fields_not_judged"].empty());
 }
@@ -296,12 +314,13 @@ TEST(Report, IsWrittenWithItsFindingsAndWithoutThoseOfBefore) {
   const auto folder = std::filesystem::path(testing::TempDir()) / "toolcomp-report";
   std::filesystem::remove_all(folder);
   Certificate c = example();
-  EXPECT_EQ(write_report(c, folder).size(), 1U);
+  EXPECT_EQ(write_report(c, folder).size(), 2U);
   EXPECT_TRUE(std::filesystem::exists(folder / "index.html"));
   EXPECT_TRUE(std::filesystem::exists(folder / "junit.xml"));
   EXPECT_TRUE(std::filesystem::exists(folder / "certificate.json"));
   EXPECT_EQ(read_finding(spec::read_file(folder / "findings" / "01-coordinate.json"), "f").key, c.findings[0].key);
   c.findings.clear();
+  c.causes.clear();
   EXPECT_TRUE(write_report(c, folder).empty());
   EXPECT_FALSE(std::filesystem::exists(folder / "findings" / "01-coordinate.json"));
 }

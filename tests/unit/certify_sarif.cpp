@@ -37,7 +37,9 @@ Certificate example() {
   c.sections.back().results = {3, 1, 0, 0, 0, 5, 0};
   c.findings = {finding("fanuc.length-offset.one-number", "coordinate", "G43 H1\nZ0\n"), finding("", "crash", "G49\n"),
                 finding("fanuc.length-offset.one-number", "missing event", "Z1\n")};
-  c.causes = {{"axes.Z has the wrong sign", {2, 0}}};
+  c.causes = {{"axes.Z has the wrong sign", {2, 0}, 14}, {"crash", {1}, 7}};
+  c.findings[1].not_settled = "no time was left";
+  c.settling = std::chrono::seconds(30);
   c.unsettled = {{"a.case", "fanuc/tool-length-offset", Result::undecided, "why \xff"}};
   c.interrupted = "interrupted (SIGINT)";
   return c;
@@ -116,6 +118,8 @@ TEST(Sarif, AGroupOfFindingsIsOneResult) {
             corpus::sha256("fanuc/tool-length-offset\nfanuc.length-offset.one-number\nmissing event"));
   const Json& crash = run.at("results").at(1);
   EXPECT_EQ(crash.at("ruleId"), "no-clause.crash");
+  EXPECT_EQ(crash.at("properties").at("settled"), false);
+  EXPECT_NE(crash.at("message").at("text").get<std::string>().find("Not settled: no time was left"), std::string::npos);
   const Json& rule = run.at("tool").at("driver").at("rules").at(0);
   EXPECT_EQ(rule.at("id"), "fanuc.length-offset.one-number");
   const auto clause = spec::find_clause("fanuc.length-offset.one-number");
@@ -161,7 +165,8 @@ TEST(Sarif, SaysWhatWasNotJudged) {
   std::string all;
   for (const Json& note : invocation.at("toolExecutionNotifications"))
     all += note.at("message").at("text").get<std::string>() + "\n";
-  for (const char* part : {"does not conform", "interrupted (SIGINT)", "5 cases not run", "a.case: undecided, why"})
+  for (const char* part : {"does not conform", "1 of 2 groups settled, in 30 s at most", "interrupted (SIGINT)",
+                           "5 cases not run", "a.case: undecided, why"})
     EXPECT_NE(all.find(part), std::string::npos) << part << all;
   Certificate interrupted = example();
   interrupted.findings.clear();
