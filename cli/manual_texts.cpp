@@ -101,11 +101,11 @@ const std::vector<ManualText>& texts() {
        {"certify"}},
       {"fuzz",
        {"Searches for programs on which two engines, or a controller and the model, differ. Every finding is shrunk "
-        "and "
-        "kept as a case. --campaign keeps everything in a folder and goes on where it stopped (docs/campaigns.md)."},
+        "and kept in a folder of its own. --campaign keeps everything in a folder and goes on where it stopped "
+        "(docs/campaigns.md)."},
        {{"One section, for a hundred programs:",
          "toolcomp fuzz --section fanuc/tool-offset --runs 100 --seed 1 --built-in"}},
-       {{"findings", "The findings, for toolcomp-replay(1)."}},
+       {{"findings/NAME/finding.json", "A finding, for toolcomp-replay(1)."}},
        {"replay", "certify"}},
       {"corpus",
        {"The golden corpus: cases with proven results. check judges the engines or a controller by it; generate makes "
