@@ -53,8 +53,7 @@ std::vector<OutcomeSeen> outcomes(const spec::ClauseInfo& clause, const ClauseCo
 }  // namespace
 
 double Counters::accepted_share() const {
-  return executions == 0 ? 0
-                         : static_cast<double>(count(Acceptance::accepted)) / static_cast<double>(executions);
+  return executions == 0 ? 0 : static_cast<double>(count(Acceptance::accepted)) / static_cast<double>(executions);
 }
 
 std::uint64_t Counters::count(Acceptance of) const { return acceptance.at(static_cast<std::size_t>(of)); }

@@ -30,7 +30,9 @@ inline std::vector<fs::path> dossiers(const std::string& campaign) {
   return list;
 }
 
-inline nlohmann::json state_of(const std::string& campaign) { return nlohmann::json::parse(read(campaign + "/state.json")); }
+inline nlohmann::json state_of(const std::string& campaign) {
+  return nlohmann::json::parse(read(campaign + "/state.json"));
+}
 
 inline bool alive(int process) { return ::kill(process, 0) == 0; }
 

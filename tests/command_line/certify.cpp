@@ -101,8 +101,8 @@ TEST(Certify, AHangIsAFinding) {
 // The summary of two runs is the same but for times.
 TEST(Fuzz, SameSeedSameBytes) {
   const auto summary = [] {
-    const Outcome outcome = toolcomp(
-        "fuzz --section fanuc/leading-edge-offset --runs 100 --seed 7 --json --controller '" + kServe + "'");
+    const Outcome outcome =
+        toolcomp("fuzz --section fanuc/leading-edge-offset --runs 100 --seed 7 --json --controller '" + kServe + "'");
     EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
     return std::regex_replace(outcome.out, std::regex("\"(seconds|seconds_in_all|per_second)\": [^,]*,"), "");
   };

@@ -112,9 +112,8 @@ class Fuzz : public testing::TestWithParam<bool> {
     EXPECT_EQ(read(entries(findings)[0] / "finding.json"), read(file));
   }
 };
-INSTANTIATE_TEST_SUITE_P(InAFolder, Fuzz, testing::Bool(), [](const auto& p) {
-  return p.param ? "Named" : "Temporary";
-});
+INSTANTIATE_TEST_SUITE_P(InAFolder, Fuzz, testing::Bool(),
+                         [](const auto& p) { return p.param ? "Named" : "Temporary"; });
 
 TEST_P(Fuzz, OneFaultIsOneFinding) {
   const Outcome outcome = command(environment + kWithFaults + fuzz + " --runs 100 --json");
@@ -132,7 +131,8 @@ TEST_P(Fuzz, OneFaultIsOneFinding) {
 
 TEST_P(Fuzz, AWrongControllerIsOneFindingThatAsksItAgain) {
   const std::string wrong = TOOLCOMP_BINARY_DIR "/toolcomp_faulty_controller drop-event";
-  const Outcome outcome = toolcomp(fuzz + " --runs 40 --json --controller '" + wrong + "'", "TMPDIR=" + temporary + " ");
+  const Outcome outcome =
+      toolcomp(fuzz + " --runs 40 --json --controller '" + wrong + "'", "TMPDIR=" + temporary + " ");
   EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
   expect_one_finding(Json::parse(outcome.out));
   const Outcome again = toolcomp("replay " + (entries(findings)[0] / "finding.json").string());
@@ -316,9 +316,8 @@ TEST_F(Campaign, AFindingThatCannotBeWrittenIsThereAtTheNextStart) {
   const std::string findings = (std::filesystem::path(dir) / "work" / "00000001" / "findings").string();
   const std::string made = "until [ -d " + findings + " ]; do :; done; ";
   const std::string broken = "until [ -f " + findings + " ]; do rm -rf " + findings + "; echo >" + findings + "; done";
-  const Outcome outcome =
-      command("timeout 600 sh -c '" + made + broken + "' 2>/dev/null & TOOLCOMP_FAULT=g44_as_g43 " + kWithFaults + fuzz +
-              " --target tool_length_offset_directed --for 10m");
+  const Outcome outcome = command("timeout 600 sh -c '" + made + broken + "' 2>/dev/null & TOOLCOMP_FAULT=g44_as_g43 " +
+                                  kWithFaults + fuzz + " --target tool_length_offset_directed --for 10m");
   EXPECT_EQ(outcome.status, 2) << outcome.out << outcome.err;
   EXPECT_NE(outcome.err.find("could not write any more"), std::string::npos) << outcome.err;
   EXPECT_GE(sightings(dir), 1U);

@@ -76,8 +76,7 @@ TEST_F(ThirdVoice, MakesCasesWhileNothingWaits) {
     const std::string asked = read(dir + "/asked");
     return executions > std::ranges::count(asked, '\n');
   };
-  const Json summary =
-      until(TOOLCOMP_BINARY_DIR "/toolcomp " + fuzz + " --target tool_offset_directed", makes_some);
+  const Json summary = until(TOOLCOMP_BINARY_DIR "/toolcomp " + fuzz + " --target tool_offset_directed", makes_some);
   EXPECT_GT(summary["specification"]["cases"], 0);
   EXPECT_EQ(summary["specification"]["differ"], 0);
 }
@@ -118,8 +117,8 @@ TEST_F(ThirdVoice, SaysThatTheFastEngineStandsAlone) {
 // What it sees itself, in cases that it makes. Its finding is held exactly again; without the fault it agrees.
 TEST_F(ThirdVoice, ItsFindingIsReplayed) {
   const std::string wrong = TOOLCOMP_BINARY_DIR "/toolcomp_with_wrong_model ";
-  const Json summary = until(wrong + fuzz + " --target tool_length_offset_directed",
-                             [&] { return !its_findings().empty(); });
+  const Json summary =
+      until(wrong + fuzz + " --target tool_length_offset_directed", [&] { return !its_findings().empty(); });
   EXPECT_GT(summary["specification"]["differ"], 0);
   ASSERT_FALSE(its_findings().empty());
   const std::string folder_of_it = its_findings()[0].string();

@@ -46,10 +46,10 @@ TEST(Steering, CountsWhatARunReachesByKind) {
   std::array<std::size_t, 4> kinds{};
   for (std::size_t slot = 0; slot < counters.size(); ++slot)
     if (counters[slot] > 0)
-      ++kinds.at(slot >= kFeatures + kPairSlots              ? 3
-                 : slot >= kFeatures                         ? 2
+      ++kinds.at(slot >= kFeatures + kPairSlots         ? 3
+                 : slot >= kFeatures                    ? 2
                  : slot % kClauseSlots >= kOutcomeSlots ? 1
-                                                             : 0);
+                                                        : 0);
   for (const std::size_t count : kinds) EXPECT_GT(count, 0U);
   // Saturating, however often it is added.
   for (int i = 0; i < 300; ++i) count_reached(run, counters);

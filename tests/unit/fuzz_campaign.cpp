@@ -195,8 +195,9 @@ TEST(Diary, WhatCannotBeWrittenIsKept) {
   spec::write_file(folder.path() / fuzz::Diary::kFindings, "no folder");
   diary.hit("group", 7, [](const fuzz::HowFound& how) { return how.target; }, ".json");
   EXPECT_TRUE(diary.failed());
-  EXPECT_EQ(fuzz::BlackBox::read(folder.path() / fuzz::Diary::kBlackBox)->kept,
-            std::vector<std::string>{"0000000007-" + fuzz::digest("tool_offset_directed") + ".json\ntool_offset_directed"});
+  EXPECT_EQ(
+      fuzz::BlackBox::read(folder.path() / fuzz::Diary::kBlackBox)->kept,
+      std::vector<std::string>{"0000000007-" + fuzz::digest("tool_offset_directed") + ".json\ntool_offset_directed"});
 }
 
 TEST(Settled, IsReadBack) {
