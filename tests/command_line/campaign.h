@@ -16,6 +16,7 @@
 
 namespace toolcomp::test {
 
+// What is in a folder, by name; of one that is not there nothing.
 inline std::vector<fs::path> entries(const fs::path& folder) {
   std::vector<fs::path> list;
   if (fs::is_directory(folder))
@@ -24,6 +25,7 @@ inline std::vector<fs::path> entries(const fs::path& folder) {
   return list;
 }
 
+// The folders of what a campaign found.
 inline std::vector<fs::path> dossiers(const std::string& campaign) {
   std::vector<fs::path> list = entries(fs::path(campaign) / "findings");
   std::erase_if(list, [](const fs::path& path) { return !fs::exists(path / "finding.txt"); });
@@ -36,6 +38,7 @@ inline nlohmann::json state_of(const std::string& campaign) {
 
 inline bool alive(int process) { return ::kill(process, 0) == 0; }
 
+// Waits until it is true; so long is far more than it takes.
 template <class Condition>
 bool comes_true(Condition condition, int seconds = 300) {
   for (int i = 0; i < seconds * 20; ++i) {
