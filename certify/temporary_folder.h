@@ -6,7 +6,7 @@
 
 namespace toolcomp::certify {
 
-// New and empty, in the system's folder of such; removed with all that is in it.
+// New and empty, in the system's folder of such; removed with all that is in it, unless it is kept.
 class TemporaryFolder {
  public:
   // Throws std::runtime_error where none can be made.
@@ -15,8 +15,10 @@ class TemporaryFolder {
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  void keep() { kept_ = true; }
 
  private:
+  bool kept_ = false;
   std::filesystem::path path_;
 };
 

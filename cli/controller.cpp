@@ -31,9 +31,8 @@ class Watched {
       asked_.add(*subject_, c);
       judgement = certify::judge_answer(able_, c, run, answer);
     }
-    if (judgement.result == certify::Result::differs && watch_.wants)
-      if (const auto number = watch_.wants(certify::key_of(c, judgement), c.program))
-        watch_.keep(able_, *number, {c, judgement, certify::events_in_double(answer), asked_.before()});
+    if (judgement.result == certify::Result::differs && watch_)
+      watch_(able_, {c, judgement, certify::events_in_double(answer), asked_.before()});
     if (judgement.difference) judgement.verdict.difference = judgement.difference;
     if (judgement.result == certify::Result::differs) judgement.verdict.outcome = fuzz::Outcome::differs;
     return judgement.verdict;

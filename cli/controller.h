@@ -2,7 +2,6 @@
 // A controller as the subject of a campaign.
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -12,12 +11,8 @@
 
 namespace toolcomp::cli {
 
-// Who wants to know what differs: asked whether this one is wanted, and under which number, then told all that was
-// seen. Jobs call at once.
-struct Watch {
-  std::function<std::optional<std::size_t>(const certify::FailureKey&, const std::string& program)> wants;
-  std::function<void(const certify::Capabilities&, std::size_t number, certify::Witness)> keep;
-};
+// Told what differs: all that was seen.
+using Watch = std::function<void(const certify::Capabilities&, const certify::Witness&)>;
 
 // Judges what the command answers; `timeout` in seconds. Throws spec::InputError if it cannot be used, or announces a
 // resolution coarser than what is certified and than `accepted_resolution`, which is looked at if it is there.

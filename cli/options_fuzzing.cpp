@@ -15,34 +15,33 @@ void define_fuzz(CommandLine& line) {
       "fuzz",
       "Search for differences\n"
       "Searches for programs on which two engines, or a controller and the model, differ. Every finding is shrunk and "
-      "kept as a case for `toolcomp replay`. --campaign keeps everything in a folder and goes on where it stopped "
-      "(docs/campaigns.md).",
-      [options] {
-        return options->campaign.empty() && options->merge.empty() ? fuzz(*options) : fuzz_campaign(*options);
-      });
+      "kept in a folder of its own (NAME/finding.json, for `toolcomp replay`). --campaign keeps everything in a folder "
+      "and "
+      "goes on where it stopped (docs/campaigns.md).",
+      [options] { return fuzz(*options); });
   sub->footer(R"(Examples:
   One section, for a hundred programs:
     $ toolcomp fuzz --section fanuc/tool-offset --runs 100 --seed 1 --built-in)");
   take_sections(sub, options->sections);
   take(sub, "--for", options->duration, "TIME",
-       "How long a section: 60s, 10m, 1h (default 60s without --runs); a campaign: in all (default: without end)");
-  take(sub, "--runs", options->runs, "N", "Executions a section instead of a time");
-  take(sub, "--jobs", options->jobs, "N", "Searches side by side", 1U, 256U);
+       "How long in all: 60s, 10m, 1h (default without --runs: 60s, with --campaign without end)");
+  take(sub, "--runs", options->runs, "N", "Executions a section, half for each of its targets, instead of a time");
+  take(sub, "--jobs", options->jobs, "N", "Workers side by side", 1U, 256U);
   take(sub, "--seed", options->seed, "N", "Seed of every random choice");
   take(sub, "--controller", options->controller, "CONTROLLER", "Judge this controller instead of the fast engine");
-  take(sub, "--findings", options->findings, "FOLDER", "Folder for findings");
+  take(sub, "--findings", options->findings, "FOLDER",
+       "Folder that gets a folder of each finding (default without --campaign: findings)");
   take_accept_resolution(sub, options->accept_resolution);
   take_timeout(sub, options->timeout, "Seconds a case may take the controller");
   take(sub, "--campaign", options->campaign, "FOLDER",
-       "Folder of a campaign (docs/campaigns.md): corpus, findings, log, state; goes on where it stopped");
-  take(sub, "--target", options->targets, "TARGET", "Campaign: this target (repeatable), besides those of --section");
-  take(sub, "--shard", options->shard, "I/N", "Campaign: I/N, with other seeds than the other shards");
+       "Keep everything in this folder (docs/campaigns.md), and go on where it stopped");
+  take(sub, "--target", options->targets, "TARGET", "This target (repeatable), besides those of --section");
+  take(sub, "--shard", options->shard, "I/N", "I/N, with other seeds than the other shards");
   take(sub, "--merge", options->merge, "FOLDER", "Merge these campaigns into the new one of --campaign")
       ->allow_extra_args();
   sub->add_flag("--built-in", options->built_in, "Without the clang targets, where they are");
-  sub->add_flag("--no-specification", options->no_specification,
-                "Campaign: without the formal specification as third voice");
-  sub->add_flag("--json", options->json, "Campaign: the summary as JSON on standard output");
+  sub->add_flag("--no-specification", options->no_specification, "Without the formal specification as third voice");
+  sub->add_flag("--json", options->json, "The summary as JSON on standard output");
 }
 
 void define_worker(CommandLine& line) {

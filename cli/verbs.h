@@ -100,19 +100,18 @@ struct FuzzOptions {
   unsigned jobs = 1;
   std::uint64_t seed = 1;
   std::string controller;
-  std::string findings = "findings";
+  std::string findings;  // folder; empty: "findings", of a campaign its own alone
   double timeout = 10;
   std::string accept_resolution;  // a decimal
-  std::string campaign;           // its folder; empty: none
+  std::string campaign;           // its folder; empty: a temporary one
   std::vector<std::string> targets;
   std::vector<std::string> merge;  // folders of campaigns
   std::string shard;               // "I/N"
   bool built_in = false;           // without the clang targets
-  bool no_specification = false;   // a campaign without its third voice
+  bool no_specification = false;   // without the third voice
   bool json = false;
 };
 int fuzz(const FuzzOptions& options);
-int fuzz_campaign(const FuzzOptions& options);
 
 // What a campaign runs in processes of their own.
 struct WorkerOptions {

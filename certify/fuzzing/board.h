@@ -11,7 +11,6 @@
 
 #include "certify/fuzzing/third_voice.h"
 #include "certify/process.h"
-#include "fuzz/campaign/campaign.h"
 
 namespace toolcomp::certify::fuzzing {
 

@@ -9,13 +9,12 @@
 #include <ctime>
 #include <memory>
 #include <thread>
+#include <utility>
 
-#include "certify/fuzzing/found.h"
 #include "certify/fuzzing/third_voice.h"
 #include "certify/running_mark.h"
 #include "formal/engine.h"
 #include "fuzz/campaign/diary.h"
-#include "fuzz/campaign/summary.h"
 
 namespace toolcomp::certify::fuzzing {
 namespace {
@@ -27,11 +26,11 @@ constexpr unsigned kMostFailures = 5;
 // Of the third voice, seconds.
 constexpr std::uint64_t kThirdSlice = 120;
 
-BoardRow row_of(const fuzz::Target& target, const fuzz::CampaignResult& sum, std::uint64_t milliseconds) {
+BoardRow row_of(const fuzz::Target& target, const fuzz::Counters& sum) {
   BoardRow row;
   row.target = target.name;
   row.executions = sum.executions;
-  if (milliseconds > 0) row.per_second = static_cast<double>(sum.executions) * 1000 / static_cast<double>(milliseconds);
+  row.per_second = sum.per_second();
   row.accepted = sum.accepted_share();
   if (!target.is_reader()) {
     const fuzz::Reached reached = fuzz::outcomes_reached(target.section, sum.clauses);
@@ -40,8 +39,14 @@ BoardRow row_of(const fuzz::Target& target, const fuzz::CampaignResult& sum, std
   }
   row.law_checks = sum.law_checks;
   row.ties = sum.ties;
-  for (const auto& [group, count] : sum.hits) row.hits += count;
+  row.hits = sum.differed();
   return row;
+}
+
+fuzz::Counters so_far(const Worker& worker) {
+  fuzz::Counters counters = counters_in(worker.folder());
+  counters.milliseconds = worker.milliseconds();
+  return counters;
 }
 
 class Hunt {
@@ -50,7 +55,7 @@ class Hunt {
       : options_(options),
         folder_(options.folder),
         mark_(options.folder, options.bench.controller),
-        settler_(folder_, options.bench.program, options.bench.timeout) {
+        settler_(folder_, options.bench.program, options.bench.timeout, [this] { return stopped(); }) {
     take_up();
   }
 
@@ -75,16 +80,10 @@ class Hunt {
       throw;
     }
     show("");
-    const Found found = found_in(folder_.findings());
+    Found found = found_in(folder_);
     folder_.log(fmt::format("ends after {:.0f} s: {} executions, {}", seconds(), executions_,
-                            findings_text(found.findings.size(), found.dossiers.size())));
-    return {state_,
-            found.findings.size(),
-            found.dossiers.size(),
-            dossiers_in(folder_.open()).size(),
-            folder_.waiting().size(),
-            seconds(),
-            executions_};
+                            findings_text(found.findings.size(), found.ways.size())));
+    return {state_, std::move(found), folder_.waiting().size(), seconds(), executions_};
   }
 
  private:
@@ -190,7 +189,7 @@ class Hunt {
     slice.seconds = rest ? std::min(*rest, slice_seconds_) : slice_seconds_;
     std::vector<std::uint64_t> spent;
     for (const fuzz::Target* target : options_.targets) {
-      std::uint64_t time = state_.targets[target->name].milliseconds;
+      std::uint64_t time = state_.targets[target->name].sum.milliseconds;
       // What runs counts as if it had run to its end.
       for (const auto& worker : workers_)
         if (worker->slice().target == target) time += worker->slice().seconds * 1000;
@@ -251,9 +250,9 @@ class Hunt {
     });
   }
 
-  // Not behind an end asked for: the next start goes on.
+  // Not after an end asked for: the next start goes on.
   void settle_rest() {
-    while (!stopped() && (settler_.busy() || !Settler::enough(folder_, state_))) {
+    while (!stopped() && (settler_.busy() || !folder_.waiting().empty())) {
       settle_step();
       std::this_thread::sleep_for(kLook / 4);
       if (Clock::now() - saved_ < kSave) continue;
@@ -288,19 +287,14 @@ class Hunt {
     if (!options_.show) return;
     State now = state_;
     for (const auto& worker : workers_) {
-      TargetState& sum = now.targets[worker->slice().target->name];
-      fuzz::add(sum.sum, counters_in(worker->folder()));
-      sum.milliseconds += worker->milliseconds();
+      fuzz::add(now.targets[worker->slice().target->name].sum, so_far(*worker));
     }
-    if (third_) {
-      fuzz::add(now.specification.sum, counters_in(third_->folder()));
-      now.specification.milliseconds += third_->milliseconds();
-    }
+    if (third_) fuzz::add(now.specification.sum, so_far(*third_));
     BoardView view = view_of(now, options_.targets);
     view.specification.silent = silence(options_);
     view.seconds = seconds();
     if (const std::size_t ways = dossiers_in(folder_.findings()).size(); ways != ways_) {
-      findings_ = found_in(folder_.findings()).findings.size();
+      findings_ = found_in(folder_).findings.size();
       ways_ = ways;
     }
     view.findings = findings_;
@@ -348,8 +342,7 @@ BoardView view_of(const State& state, const std::vector<const fuzz::Target*>& ta
   BoardView view;
   for (const fuzz::Target* target : targets) {
     const auto known = state.targets.find(target->name);
-    view.rows.push_back(known == state.targets.end() ? row_of(*target, {}, 0)
-                                                     : row_of(*target, known->second.sum, known->second.milliseconds));
+    view.rows.push_back(row_of(*target, known == state.targets.end() ? fuzz::Counters{} : known->second.sum));
   }
   view.specification.count = voice_count(state.specification);
   return view;

@@ -11,6 +11,7 @@
 
 #include "certify/fuzzing/board.h"
 #include "certify/fuzzing/folder.h"
+#include "certify/fuzzing/found.h"
 #include "certify/fuzzing/schedule.h"
 #include "certify/fuzzing/settler.h"
 #include "certify/fuzzing/worker.h"
@@ -19,6 +20,7 @@ namespace toolcomp::certify::fuzzing {
 
 struct CampaignOptions {
   std::filesystem::path folder;
+  bool temporary = false;                    // it goes with this start: summaries do not name it
   std::vector<const fuzz::Target*> targets;  // at least one, each once
   Bench bench;
   std::optional<std::uint64_t> seconds;  // none: without end
@@ -34,9 +36,7 @@ struct CampaignOptions {
 
 struct CampaignEnd {
   State state;                   // of all starts
-  std::size_t findings = 0;      // there (found.h)
-  std::size_t ways = 0;          // in which they show, a folder each
-  std::size_t open = 0;          // cases there that could not be decided
+  Found found;                   // what is there
   std::size_t waiting = 0;       // sightings that nobody has looked at
   double seconds = 0;            // this start
   std::uint64_t executions = 0;  // this start

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 #include <string_view>
 #include <tuple>
@@ -100,6 +101,7 @@ constexpr std::string_view kShape = "shape     ";
 constexpr std::string_view kCore = "core      ";
 constexpr std::string_view kVoices = "voices    ";
 constexpr std::string_view kNotKnown = "not known";
+constexpr std::string_view kProgram = "The program:";
 
 std::string story(const Dossier& dossier, const std::string& margin) {
   const Finding& f = dossier.finding;
@@ -115,12 +117,12 @@ std::string story(const Dossier& dossier, const std::string& margin) {
   if (!f.controller.empty()) text += "asked     " + f.controller + "\n";
   if (f.runs > 0) text += fmt::format("shrunk    in {} executions\n", f.runs);
   text += "repeat    toolcomp replay finding.json\n          toolcomp explain case.json\n\n";
-  return text + "The decision, exactly: " + margin + "\nThe program:\n" + f.smallest.program;
+  return text + "The decision, exactly: " + margin + "\n" + std::string(kProgram) + "\n" + f.smallest.program;
 }
 
-std::tuple<std::size_t, std::size_t, std::string> size_of(const Finding& finding) {
+std::tuple<std::size_t, std::size_t, std::string, std::uint64_t> size_of(const Finding& finding) {
   std::string all = spec::write_case_line(finding.smallest);
-  return {count_blocks(finding.smallest.program), all.size(), std::move(all)};
+  return {count_blocks(finding.smallest.program), all.size(), std::move(all), finding.executions};
 }
 
 bool stays(const fs::path& file, const Finding& other) {
@@ -174,7 +176,9 @@ std::string Dossier::name() const {
         (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '_';
     name += plain ? c : '-';
   }
-  return name + "--" + fuzz::digest(key.section + '|' + key.kind + '|' + key.clause + '|' + shape).substr(0, 8);
+  std::string all = key.section + '|' + key.kind + '|' + key.clause + '|' + shape;
+  if (!finding.controller.empty()) all += '|' + finding.controller;
+  return name + "--" + fuzz::digest(all).substr(0, 8);
 }
 
 std::vector<fs::path> dossiers_in(const fs::path& folder) {
@@ -191,23 +195,16 @@ Story read_story(const fs::path& dossier) {
   Story story;
   std::istringstream text(spec::read_file((dossier / "finding.txt").string()));
   std::getline(text, story.what);
-  for (std::string line; std::getline(text, line);) {
+  for (std::string line; std::getline(text, line) && line != kProgram;) {
     if (line.starts_with(kSection)) story.section = line.substr(kSection.size());
     if (line.starts_with(kShape)) story.shape = line.substr(kShape.size());
     if (line.starts_with(kVoices)) story.voices = line.substr(kVoices.size());
     if (line.starts_with(kCore)) story.core = line.substr(kCore.size());
   }
+  story.program.assign(std::istreambuf_iterator<char>(text), {});
   if (story.shape == kNotKnown) story.shape.clear();
   if (story.core == kNotKnown) story.core.clear();
   return story;
-}
-
-std::vector<Finding> findings_in(const fs::path& folder) {
-  std::vector<Finding> findings;
-  for (const fs::path& dossier : dossiers_in(folder))
-    if (const fs::path file = dossier / "finding.json"; fs::exists(file))
-      findings.push_back(read_finding(spec::read_file(file.string()), file.string()));
-  return findings;
 }
 
 bool is_smaller(const Finding& a, const Finding& b) { return size_of(a) < size_of(b); }

@@ -31,7 +31,7 @@ struct Dossier {
   std::string why;  // why it is not shrunk
 
   // Two cases of one bug have one name, two bugs have two: kind, clause or section, and a digest of these with the
-  // shape.
+  // shape and the controller.
   [[nodiscard]] std::string name() const;
 };
 
@@ -42,16 +42,14 @@ bool write_dossier(const Dossier& dossier, const std::filesystem::path& folder);
 
 // The dossiers of a folder, by name.
 std::vector<std::filesystem::path> dossiers_in(const std::filesystem::path& folder);
-// What finding.txt of a dossier says first, of what, and who stands alone there (certify/voices.h); of a reader's
-// finding section, shape and core are empty, and shape and core of what is not shrunk.
+// What finding.txt of a dossier says first, of what, who stands alone there (certify/voices.h), and its program; of a
+// reader's finding all but the first is empty, and shape and core of what is not shrunk.
 struct Story {
-  std::string what, section, shape, core, voices;
+  std::string what, section, shape, core, voices, program;
 };
 Story read_story(const std::filesystem::path& dossier);
-// Their findings; those of readers left out.
-std::vector<Finding> findings_in(const std::filesystem::path& folder);
 
-// Whether the finding in folder `a` is smaller than that in `b`: fewer blocks, fewer bytes, the lesser bytes.
+// Whether it is smaller: fewer blocks, fewer bytes, the lesser bytes; of one case that which was found earlier.
 bool is_smaller(const Finding& a, const Finding& b);
 
 }  // namespace toolcomp::certify::fuzzing

@@ -13,7 +13,6 @@
 #include "certify/fuzzing/worker.h"
 #include "fuzz/campaign/black_box.h"
 #include "fuzz/campaign/diary.h"
-#include "fuzz/campaign/summary.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/file_writer.h"
 
@@ -52,13 +51,10 @@ std::string target_in(const fs::path& work) {
 void count(State& state, const fs::path& work, std::optional<std::uint64_t> milliseconds) {
   const std::string target = target_in(work);
   if (target.empty()) return;
-  fuzz::CampaignResult counters = counters_in(work);
+  fuzz::Counters counters = counters_in(work);
+  if (milliseconds) counters.milliseconds = *milliseconds;
   TargetState& sum = target == third_voice().name ? state.specification : state.targets[target];
-  sum.milliseconds += milliseconds.value_or(static_cast<std::uint64_t>(counters.seconds * 1000));
   ++sum.slices;
-  // Times are summed as whole milliseconds: in whatever order, the sum is the same.
-  counters.seconds = counters.cores = counters.per_second_per_core = 0;
-  counters.reached = {};
   fuzz::add(sum.sum, counters);
 }
 
@@ -106,7 +102,7 @@ void Folder::take_sightings(std::uint64_t slice) const {
     for (const std::string& kept : box->kept) {
       const std::size_t end = std::min(kept.find('\n'), kept.size());
       const std::string text = kept.substr(std::min(end + 1, kept.size()));
-      const fs::path file = sightings() / (prefix + fuzz::digest(text) + kept.substr(0, end));
+      const fs::path file = sightings() / (prefix + kept.substr(0, end));
       if (!fs::exists(file)) spec::write_file(file, text);
     }
 }

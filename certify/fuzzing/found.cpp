@@ -2,21 +2,63 @@
 #include "certify/fuzzing/found.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
-#include "certify/fuzzing/dossier.h"
+#include <utility>
+
+#include "spec/language/byte_source.h"
 
 namespace toolcomp::certify::fuzzing {
+namespace {
 
-Found found_in(const std::filesystem::path& folder) {
-  Found found{dossiers_in(folder), {}, {}, {}};
-  std::vector<Way> ways;
-  for (const std::filesystem::path& dossier : found.dossiers) {
-    Story story = read_story(dossier);
-    found.what.push_back(std::move(story.what));
-    found.voices.push_back(std::move(story.voices));
-    ways.push_back({std::move(story.section), std::move(story.shape), std::move(story.core)});
+namespace fs = std::filesystem;
+
+std::vector<Shown> shown_in(const fs::path& folder) {
+  std::vector<Shown> list;
+  for (const fs::path& dossier : dossiers_in(folder))
+    list.push_back({dossier.filename().string(), dossier, read_story(dossier)});
+  return list;
+}
+
+// What it is about: a case, or the input of a reader.
+std::string case_of(const fs::path& dossier) {
+  for (const char* const name : {"case.json", "input"})
+    if (const fs::path file = dossier / name; fs::exists(file)) return spec::read_file(file.string());
+  return {};
+}
+
+// Whole or not at all; where it is then.
+fs::path copied(const Shown& shown, const fs::path& to) {
+  for (int n = 1;; ++n) {
+    const fs::path place = to / (n == 1 ? shown.name : fmt::format("{}-{}", shown.name, n));
+    if (fs::exists(place) && case_of(place) != case_of(shown.folder)) continue;
+    if (!fs::exists(place)) {
+      const fs::path part = to / fmt::format(".{}.{}.part", shown.name, ::getpid());
+      fs::remove_all(part);
+      fs::create_directories(to);
+      fs::copy(shown.folder, part, fs::copy_options::recursive);
+      fs::rename(part, place);
+    }
+    return place;
   }
+}
+
+}  // namespace
+
+Found found_in(const Folder& folder) {
+  Found found{shown_in(folder.findings()), {}, shown_in(folder.open())};
+  std::vector<Way> ways;
+  for (const Shown& shown : found.ways) ways.push_back({shown.story.section, shown.story.shape, shown.story.core});
   found.findings = families(ways);
+  return found;
+}
+
+Found copy_out(Found found, const fs::path& to) {
+  for (const Family& finding : found.findings) {
+    found.ways[finding.first].folder = copied(found.ways[finding.first], to);
+    for (const std::size_t other : finding.others) found.ways[other].folder.clear();
+  }
+  for (Shown& shown : found.open) shown.folder = copied(shown, to);
   return found;
 }
 

@@ -16,9 +16,6 @@ constexpr std::chrono::seconds kPatience{180};  // with one sighting
 // For its line; with no time at all nothing is read.
 constexpr std::chrono::milliseconds kLook{1};
 
-// Of a group of sightings so many are looked at before only some are.
-constexpr std::uint64_t kLookedAt = 32;
-
 std::string group_of(const Finding& seen) {
   return fmt::format("{}|{}|{}", seen.key.section.empty() ? seen.target : seen.key.section, seen.key.kind,
                      seen.key.clause);
@@ -72,7 +69,7 @@ std::optional<Settled> read_settled(const std::string& line) {
 
 void Settler::step(State& state, const std::function<void(const Settled&)>& on_settled) {
   if (!process_) {
-    begin(state);
+    begin();
     return;
   }
   std::string line;
@@ -84,6 +81,8 @@ void Settler::step(State& state, const std::function<void(const Settled&)>& on_s
   const std::string errors = process_->errors();
   const int status = process_->exit_status();
   process_.reset();
+  // What it was looking at waits for the next start.
+  if (!settled && stopped_()) return;
   if (status == fuzz::Diary::kCannotWrite) throw std::runtime_error(errors);
   if (settled) {
     done(state, *settled, on_settled);
@@ -101,20 +100,20 @@ void Settler::step(State& state, const std::function<void(const Settled&)>& on_s
                                          : "looking at it ended with " + how;
 }
 
-void Settler::begin(State& state) {
+void Settler::begin() {
   if (failed_.empty()) {
     const auto waiting = folder_.waiting();
     if (waiting.empty()) return;
     at_ = waiting.front();
+    std::string group = at_.target + "|unreadable|";
     try {
       Finding seen = read_sighting(at_.file, at_.target);
       if (seen.target.empty()) seen.target = at_.target;
-      group_ = group_of(seen);
-    } catch (const std::exception&) {
-      group_ = at_.target + "|unreadable|";
+      group = group_of(seen);
+    } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch)
+      // Whoever looks at it says so.
     }
-    const std::uint64_t looked = ++state.looked[group_];
-    if (looked > kLookedAt && !fuzz::worth_keeping(looked)) {
+    if (!fuzz::worth_keeping(++looked_[group])) {
       fs::remove(at_.file);
       return;
     }
@@ -133,21 +132,6 @@ void Settler::done(State& state, const Settled& settled, const std::function<voi
   if (!settled.open) ++state.groups[settled.name];
   fs::remove(at_.file);
   on_settled(settled);
-}
-
-bool Settler::enough(const Folder& folder, const State& state) {
-  constexpr std::uint64_t kTells = 8;
-  for (const Folder::Sighting& sighting : folder.waiting()) {
-    try {
-      Finding seen = read_sighting(sighting.file, sighting.target);
-      if (seen.target.empty()) seen.target = sighting.target;
-      const auto looked = state.looked.find(group_of(seen));
-      if (looked == state.looked.end() || looked->second < kTells) return false;
-    } catch (const std::exception&) {
-      return false;
-    }
-  }
-  return true;
 }
 
 }  // namespace toolcomp::certify::fuzzing

@@ -4,8 +4,10 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,27 +36,27 @@ std::optional<Settled> read_settled(const std::string& line);
 
 class Settler {
  public:
-  Settler(const Folder& folder, std::filesystem::path program, double timeout)
-      : folder_(folder), program_(std::move(program)), timeout_(timeout) {}
+  // `stopped`: an end was asked for, which ends the process too.
+  Settler(const Folder& folder, std::filesystem::path program, double timeout, std::function<bool()> stopped)
+      : folder_(folder), program_(std::move(program)), timeout_(timeout), stopped_(std::move(stopped)) {}
 
-  // Looks whether the one at work is done and begins the next. Of a group of which many were looked at only some are
-  // (fuzz::worth_keeping); the others are dropped.
+  // Looks whether the one at work is done and begins the next. Of a group that comes again and again only some are
+  // looked at (fuzz::worth_keeping), which tells two bugs of one clause apart; the others are dropped.
   void step(State& state, const std::function<void(const Settled&)>& on_settled);
   [[nodiscard]] bool busy() const { return process_ != nullptr; }
-  // Whether every group that waits was looked at as often as tells two bugs of one clause apart.
-  [[nodiscard]] static bool enough(const Folder& folder, const State& state);
   void stop() { process_.reset(); }
 
  private:
-  void begin(State& state);
+  void begin();
   void done(State& state, const Settled& settled, const std::function<void(const Settled&)>& on_settled) const;
 
   const Folder& folder_;
   std::filesystem::path program_;
   double timeout_;
+  std::function<bool()> stopped_;
+  std::map<std::string, std::uint64_t> looked_;  // sightings by group, since this start
   std::unique_ptr<Process> process_;
   Folder::Sighting at_;
-  std::string group_;
   Clock::time_point begun_;
   bool as_seen_ = false;
   std::string failed_;  // why looking at it was given up; then it is kept as seen

@@ -4,18 +4,17 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "fuzz/campaign/summary.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::certify::fuzzing {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using fuzz::CampaignResult;
 
 // Every counter, each said once for both ways.
 template <class Result, class Take>
 void counters(Result& r, Take take) {
+  take("milliseconds", r.milliseconds);
   take("executions", r.executions);
   take("values", r.values);
   take("not_judged", r.wide);
@@ -30,7 +29,7 @@ void counters(Result& r, Take take) {
 }
 
 Json json_of(const TargetState& target) {
-  Json json{{"slices", target.slices}, {"milliseconds", target.milliseconds}};
+  Json json{{"slices", target.slices}};
   counters(target.sum, [&json](const char* name, const auto& value) { json[name] = value; });
   json["acceptance"] = target.sum.acceptance;
   json["hits"] = target.sum.hits;
@@ -47,7 +46,6 @@ Json json_of(const TargetState& target) {
 TargetState target_of(const Json& json) {
   TargetState target;
   target.slices = json.at("slices").get<std::uint64_t>();
-  target.milliseconds = json.at("milliseconds").get<std::uint64_t>();
   counters(target.sum, [&json](const char* name, auto& value) { json.at(name).get_to(value); });
   json.at("acceptance").get_to(target.sum.acceptance);
   json.at("hits").get_to(target.sum.hits);
@@ -68,7 +66,6 @@ void add(std::map<Key, std::uint64_t>& total, const std::map<Key, std::uint64_t>
 
 void add(TargetState& sum, const TargetState& part) {
   fuzz::add(sum.sum, part.sum);
-  sum.milliseconds += part.milliseconds;
   sum.slices += part.slices;
 }
 
@@ -88,7 +85,6 @@ std::string write_state(const State& state, const std::vector<Running>& running)
             {"milliseconds", state.milliseconds},
             {"executions", state.executions()},
             {"findings", state.groups},
-            {"looked_at", state.looked},
             {"ends", state.ends},
             {"next_slice", state.next_slice},
             {"open", state.open}};
@@ -112,7 +108,6 @@ State read_state(std::string_view text, const std::string& file) {
     json.at("starts").get_to(state.starts);
     json.at("milliseconds").get_to(state.milliseconds);
     json.at("findings").get_to(state.groups);
-    json.at("looked_at").get_to(state.looked);
     json.at("ends").get_to(state.ends);
     json.at("next_slice").get_to(state.next_slice);
     json.at("open").get_to(state.open);
@@ -134,7 +129,6 @@ void merge(State& total, const State& part) {
   add(total.specification, part.specification);
   add(total.ends, part.ends);
   add(total.groups, part.groups);
-  add(total.looked, part.looked);
   // Slices of all of them have ended, and none of theirs is one of this folder.
   total.next_slice = total.next_slice + part.next_slice - 1;
 }

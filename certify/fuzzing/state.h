@@ -8,14 +8,13 @@
 #include <string>
 #include <string_view>
 
-#include "fuzz/campaign/campaign.h"
+#include "fuzz/campaign/counters.h"
 
 namespace toolcomp::certify::fuzzing {
 
 // Of one target: all slices that have ended.
 struct TargetState {
-  fuzz::CampaignResult sum;        // without times
-  std::uint64_t milliseconds = 0;  // of its workers
+  fuzz::Counters sum;
   std::uint64_t slices = 0;
 };
 
@@ -28,7 +27,6 @@ struct State {
   TargetState specification;                  // of the third voice (third_voice.h)
   std::map<std::string, std::uint64_t> ends;  // how workers ended, in time apart: "crash", "hang", "killed by signal 9"
   std::map<std::string, std::uint64_t> groups;  // findings by the name of their folder: cases that came to it
-  std::map<std::string, std::uint64_t> looked;  // sightings looked at, by group_of()
   std::uint64_t next_slice = 1;
   std::set<std::uint64_t> open;  // slices begun whose counters are not in `targets` yet
 

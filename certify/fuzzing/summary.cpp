@@ -5,14 +5,13 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <utility>
 
-#include "certify/fuzzing/dossier.h"
-#include "certify/fuzzing/found.h"
 #include "certify/fuzzing/third_voice.h"
 #include "formal/engine.h"
 #include "fuzz/campaign/floors.h"
-#include "fuzz/campaign/summary.h"
+#include "spec/language/split.h"
 
 namespace toolcomp::certify::fuzzing {
 namespace {
@@ -23,7 +22,7 @@ using Json = nlohmann::ordered_json;
 // One section, over both of its targets as far as they are in the campaign.
 struct SectionSum {
   std::string section;
-  fuzz::CampaignResult sum;
+  fuzz::Counters sum;
   std::uint64_t directed = 0;  // executions
 };
 
@@ -40,8 +39,8 @@ std::vector<SectionSum> sections_of(const CampaignOptions& options, const State&
   return all;
 }
 
-std::uint64_t cases_of(const State& state, const fs::path& dossier) {
-  const auto known = state.groups.find(dossier.filename().string());
+std::uint64_t cases_of(const State& state, const Shown& way) {
+  const auto known = state.groups.find(way.name);
   return known == state.groups.end() ? 0 : known->second;
 }
 
@@ -71,6 +70,93 @@ std::string wanted(const std::vector<SectionSum>& sections) {
   return text;
 }
 
+// What drives the targets: "built-in driver", "clang targets", "4 clang targets of 24, built-in driver".
+std::string drivers(const CampaignOptions& options) {
+  std::size_t clang = 0;
+  for (const fuzz::Target* target : options.targets) clang += options.bench.has_clang(*target) ? 1 : 0;
+  if (clang == 0) return "built-in driver";
+  if (clang == options.targets.size()) return "clang targets";
+  return fmt::format("{} clang targets of {}, built-in driver", clang, options.targets.size());
+}
+
+std::string heading(const CampaignOptions& options, const CampaignEnd& end) {
+  const std::string now = fmt::format("seed {}, {} executions in {} ({})", options.seed, end.executions,
+                                      time_text(end.seconds), drivers(options));
+  if (options.temporary) return now + "\n";
+  return fmt::format("campaign {}: start {}, {}; in all {} in {}\n", options.folder.string(), end.state.starts, now,
+                     end.state.executions(), time_text(static_cast<double>(end.state.milliseconds) / 1000));
+}
+
+// What was not accepted or not judged, by reason; nothing where all was.
+std::string left_out(const fuzz::Counters& sum) {
+  std::string text;
+  const auto add = [&text](std::uint64_t count, std::string_view what) {
+    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, what);
+  };
+  for (std::size_t i = 1; i < fuzz::kAcceptances; ++i)
+    add(sum.acceptance.at(i), fuzz::name(static_cast<fuzz::Acceptance>(i)));
+  add(sum.wide, "values not judged");
+  add(sum.out_of_scope, "events out of scope");
+  return text.empty() ? text : "    not accepted or not judged: " + text + "\n";
+}
+
+// By reason.
+Json not_accepted(const fuzz::Counters& sum) {
+  Json json = Json::object();
+  for (std::size_t i = 1; i < fuzz::kAcceptances; ++i)
+    json[std::string(fuzz::name(static_cast<fuzz::Acceptance>(i)))] = sum.acceptance.at(i);
+  return json;
+}
+
+std::string text_of(const SectionSum& s, bool all_missing) {
+  const fuzz::Reached reached = fuzz::outcomes_reached(s.section, s.sum.clauses);
+  std::string text = fmt::format(
+      "  {}: {} of {} clause outcomes, {} values judged, worst {:.3g} ulp, {:.3g} µm; {} decisions, {} near ties\n",
+      s.section, reached.seen, reached.all, s.sum.values, s.sum.worst_ulp, s.sum.worst_um, s.sum.decisions,
+      s.sum.near_ties);
+  text += left_out(s.sum);
+  constexpr std::size_t kFew = 5;
+  if (all_missing || reached.missing.size() <= kFew)
+    for (const std::string& outcome : reached.missing) text += "    not reached: " + outcome + "\n";
+  return text;
+}
+
+// Each line of a text, indented.
+std::string indented(const std::string& text) {
+  std::string lines;
+  for (const std::string_view line : spec::split(text, '\n'))
+    if (!line.empty()) lines += fmt::format("    {}\n", line);
+  return lines;
+}
+
+std::string text_of(const Shown& shown) {
+  const Story& story = shown.story;
+  std::string text = fmt::format("{}\n  {}\n", shown.folder.string(), story.what);
+  if (!story.voices.empty()) text += "  " + story.voices + "\n";
+  text += indented(story.program);
+  if (const fs::path file = shown.folder / "finding.json"; fs::exists(file))
+    text += "  toolcomp replay " + file.string() + "\n";
+  return text;
+}
+
+std::string text_of(const Family& finding, const CampaignEnd& end) {
+  const std::vector<Shown>& ways = end.found.ways;
+  std::string text = "FINDING " + text_of(ways[finding.first]) +
+                     fmt::format("  cases that came to it: {}\n", cases_of(end.state, ways[finding.first]));
+  std::size_t nowhere = 0;
+  std::uint64_t cases = 0;
+  for (const std::size_t i : finding.others) {
+    if (!ways[i].folder.empty()) {
+      text += fmt::format("  shows in {} too: {} cases\n", ways[i].folder.string(), cases_of(end.state, ways[i]));
+      continue;
+    }
+    ++nowhere;
+    cases += cases_of(end.state, ways[i]);
+  }
+  if (nowhere > 0) text += fmt::format("  shows in {} other ways too: {} cases\n", nowhere, cases);
+  return text;
+}
+
 constexpr const char* kNoScore =
     "  mutation score of a campaign with these seeds: not known; `./dev mutants` measures one\n";
 
@@ -80,14 +166,14 @@ Verdict verdict_of(const CampaignOptions& options, const CampaignEnd& end) {
   Verdict verdict;
   for (const fuzz::Target* target : options.targets) {
     const auto known = end.state.targets.find(target->name);
-    const fuzz::CampaignResult sum = known == end.state.targets.end() ? fuzz::CampaignResult{} : known->second.sum;
+    const fuzz::Counters sum = known == end.state.targets.end() ? fuzz::Counters{} : known->second.sum;
     for (const std::string& words : fuzz::shortfalls(*target, sum))
       verdict.shortfalls.push_back(target->name + ": " + words);
   }
   if (end.waiting > 0) verdict.shortfalls.push_back(fmt::format("{} sightings nobody has looked at", end.waiting));
-  if (end.findings > 0) {
+  if (!end.found.findings.empty()) {
     verdict.status = 1;
-    verdict.words = findings_text(end.findings, end.ways);
+    verdict.words = findings_text(end.found.findings.size(), end.found.ways.size());
   } else if (!verdict.shortfalls.empty()) {
     verdict.status = 3;
     verdict.words = "no finding, which means nothing yet";
@@ -99,29 +185,16 @@ Verdict verdict_of(const CampaignOptions& options, const CampaignEnd& end) {
 
 std::string summary_text(const CampaignOptions& options, const CampaignEnd& end, const Verdict& verdict) {
   const State& state = end.state;
-  std::string text =
-      fmt::format("campaign {}: start {}, seed {}, {} executions in {}; in all {} in {}\n", options.folder.string(),
-                  state.starts, options.seed, end.executions, time_text(end.seconds), state.executions(),
-                  time_text(static_cast<double>(state.milliseconds) / 1000));
+  std::string text = heading(options, end);
   BoardView view = view_of(state, options.targets);
   view.seconds = end.seconds;
   view.specification.silent = silence(options);
-  view.findings = end.findings;
-  view.ways = end.ways;
-  view.waiting = end.waiting;
   std::vector<std::string> lines = board_lines(view, true);
   lines.pop_back();
   for (const std::string& line : lines) text += "  " + line + "\n";
   const std::vector<SectionSum> sections = sections_of(options, state);
   if (!sections.empty()) text += "covered, both targets of a section together:\n";
-  for (const SectionSum& s : sections) {
-    const fuzz::Reached reached = fuzz::outcomes_reached(s.section, s.sum.clauses);
-    text += fmt::format("  {}: {} of {} clause outcomes, {} values judged, worst {:.3g} ulp, {:.3g} µm\n", s.section,
-                        reached.seen, reached.all, s.sum.values, s.sum.worst_ulp, s.sum.worst_um);
-    constexpr std::size_t kFew = 5;
-    if (reached.missing.size() <= kFew)
-      for (const std::string& outcome : reached.missing) text += "    not reached: " + outcome + "\n";
-  }
+  for (const SectionSum& s : sections) text += text_of(s, sections.size() == 1);
   if (const fuzz::FaultsWithin faults = all_faults(sections); faults.all > 0) {
     text += fmt::format(
         "what a search of this length is known to find:\n  {} of {} seeded faults of these sections, by "
@@ -130,25 +203,15 @@ std::string summary_text(const CampaignOptions& options, const CampaignEnd& end,
     text += wanted(sections) + kNoScore;
   }
   for (const auto& [how, count] : state.ends) text += fmt::format("workers that ended by {}: {}\n", how, count);
-  const Found found = found_in(options.folder / "findings");
-  for (const Family& finding : found.findings) {
-    const fs::path& first = found.dossiers[finding.first];
-    text += fmt::format("FINDING {}\n  {}\n", first.string(), found.what[finding.first]);
-    if (const std::string& who = found.voices[finding.first]; !who.empty()) text += "  " + who + "\n";
-    text += fmt::format("  cases that came to it: {}\n", cases_of(state, first));
-    for (const std::size_t i : finding.others)
-      text +=
-          fmt::format("  shows in {} too: {} cases\n", found.dossiers[i].string(), cases_of(state, found.dossiers[i]));
-  }
-  for (const fs::path& dossier : dossiers_in(options.folder / "open"))
-    text += fmt::format("NOT DECIDED {}\n", dossier.string());
+  for (const Family& finding : end.found.findings) text += text_of(finding, end);
+  for (const Shown& open : end.found.open) text += "NOT DECIDED " + text_of(open);
   for (const std::string& words : verdict.shortfalls) text += "below its floor: " + words + "\n";
   return text + verdict.words + "\n";
 }
 
 std::string summary_json(const CampaignOptions& options, const CampaignEnd& end, const Verdict& verdict) {
   const State& state = end.state;
-  Json json{{"campaign", options.folder.string()},
+  Json json{{"campaign", options.temporary ? Json() : Json(options.folder.string())},
             {"status", verdict.status},
             {"verdict", verdict.words},
             {"below_floor", verdict.shortfalls},
@@ -160,22 +223,27 @@ std::string summary_json(const CampaignOptions& options, const CampaignEnd& end,
             {"executions", end.executions},
             {"executions_in_all", state.executions()},
             {"to_look_at", end.waiting},
-            {"not_decided", end.open},
             {"ends", state.ends}};
   json["findings"] = Json::array();
-  const Found found = found_in(options.folder / "findings");
-  const auto way = [&](std::size_t i) {
-    return Json{{"folder", found.dossiers[i].string()},
-                {"what", found.what[i]},
-                {"voices", found.voices[i]},
-                {"cases", cases_of(state, found.dossiers[i])}};
+  const auto shown = [](const Shown& way) {
+    return Json{{"folder", way.folder.empty() ? Json() : Json(way.folder.string())},
+                {"what", way.story.what},
+                {"voices", way.story.voices},
+                {"program", way.story.program}};
   };
-  for (const Family& finding : found.findings) {
-    Json one = way(finding.first);
+  const auto counted = [&](const Shown& way) {
+    Json json_of_way = shown(way);
+    json_of_way["cases"] = cases_of(state, way);
+    return json_of_way;
+  };
+  for (const Family& finding : end.found.findings) {
+    Json one = counted(end.found.ways[finding.first]);
     one["other_ways"] = Json::array();
-    for (const std::size_t i : finding.others) one["other_ways"].push_back(way(i));
+    for (const std::size_t i : finding.others) one["other_ways"].push_back(counted(end.found.ways[i]));
     json["findings"].push_back(std::move(one));
   }
+  json["not_decided"] = Json::array();
+  for (const Shown& open : end.found.open) json["not_decided"].push_back(shown(open));
   json["targets"] = Json::array();
   for (const BoardRow& row : view_of(state, options.targets).rows)
     json["targets"].push_back({{"target", row.target},
@@ -198,6 +266,11 @@ std::string summary_json(const CampaignOptions& options, const CampaignEnd& end,
                                 {"not_reached", reached.missing},
                                 {"values", s.sum.values},
                                 {"not_judged", s.sum.wide},
+                                {"out_of_scope", s.sum.out_of_scope},
+                                {"decisions", s.sum.decisions},
+                                {"near_ties", s.sum.near_ties},
+                                {"few_events", s.sum.few_events},
+                                {"not_accepted", not_accepted(s.sum)},
                                 {"worst_ulp", s.sum.worst_ulp},
                                 {"worst_um", s.sum.worst_um},
                                 {"seeded_faults", faults.all},

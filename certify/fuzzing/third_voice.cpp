@@ -179,7 +179,7 @@ class ThirdVoice {
   std::ofstream note_;
   std::set<std::string> asked_;
   std::vector<Turn> turns_;
-  fuzz::CampaignResult result_;
+  fuzz::Counters result_;
 };
 
 }  // namespace
@@ -211,17 +211,14 @@ std::string ended_at(const std::string& case_line, const std::string& how) {
 }
 
 VoiceCount voice_count(const TargetState& counted) {
-  const auto of = [&](Acceptance acceptance) {
-    return counted.sum.acceptance.at(static_cast<std::size_t>(acceptance));
-  };
+  const auto of = [&](Acceptance acceptance) { return counted.sum.count(acceptance); };
   VoiceCount count;
   count.cases = counted.sum.executions;
-  if (counted.milliseconds > 0)
-    count.per_second = static_cast<double>(count.cases) * 1000 / static_cast<double>(counted.milliseconds);
+  count.per_second = counted.sum.per_second();
   count.agreed = of(Acceptance::accepted) + of(Acceptance::no_number);
   count.undecided = of(Acceptance::not_decided);
   count.refused = of(Acceptance::no_setup) + of(Acceptance::no_text);
-  for (const auto& [group, hits] : counted.sum.hits) count.differ += hits;
+  count.differ = counted.sum.differed();
   return count;
 }
 

@@ -9,7 +9,6 @@
 #include "certify/fuzzing/third_voice.h"
 #include "fuzz/campaign/black_box.h"
 #include "fuzz/campaign/diary.h"
-#include "fuzz/campaign/summary.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/file_writer.h"
 
@@ -165,9 +164,9 @@ std::uint64_t Worker::milliseconds() const {
   return static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::milliseconds>(until - begun_).count());
 }
 
-fuzz::CampaignResult counters_in(const fs::path& folder) {
+fuzz::Counters counters_in(const fs::path& folder) {
   const fs::path file = folder / fuzz::Diary::kStatistics;
-  return fs::exists(file) ? fuzz::read_summary(spec::read_file(file.string())) : fuzz::CampaignResult{};
+  return fs::exists(file) ? fuzz::read_counters(spec::read_file(file.string())) : fuzz::Counters{};
 }
 
 }  // namespace toolcomp::certify::fuzzing

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "certify/process.h"
-#include "fuzz/campaign/campaign.h"
+#include "fuzz/campaign/counters.h"
 #include "fuzz/campaign/target.h"
 
 namespace toolcomp::certify::fuzzing {
@@ -78,6 +78,6 @@ class Worker {
 };
 
 // What a worker says of itself in its folder, alive or not: its counters as it wrote them last.
-fuzz::CampaignResult counters_in(const std::filesystem::path& folder);
+fuzz::Counters counters_in(const std::filesystem::path& folder);
 
 }  // namespace toolcomp::certify::fuzzing

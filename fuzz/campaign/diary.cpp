@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "fuzz/campaign/summary.h"
+#include "fuzz/gen/encode.h"
 #include "spec/language/case_format.h"
 #include "spec/language/file_writer.h"
 #include "spec/language/json_text.h"
@@ -40,7 +40,9 @@ std::string seen_text(const spec::Case& input, const Difference& difference, con
   name("seconds");
   out += fmt::format("{:.1f}", how.seconds);
   name("case");
-  return out + spec::write_case_line(input) + "}\n";
+  spec::Case named = input;
+  named.id = "found." + digest(encode(input));
+  return out + spec::write_case_line(named) + "}\n";
 }
 
 Diary::Diary(std::filesystem::path folder, std::string target, std::uint64_t seed)
@@ -50,29 +52,31 @@ void Diary::begin(std::string_view input) { box_.begin(input); }
 
 void Diary::hit(const std::string& group, std::uint64_t executions,
                 const std::function<std::string(const HowFound&)>& text, std::string_view ending) {
-  if (worth_keeping(++hits_[group])) keep(text({target_, seed_, executions, seconds()}), ending);
+  if (!worth_keeping(++hits_[group])) return;
+  const std::string what = text({target_, seed_, executions, seconds()});
+  // By name in the order in which they were seen: that is the order in which they are looked at.
+  keep(fmt::format("{:010}-{}{}", executions, digest(what), ending), what);
 }
 
-void Diary::keep(const std::string& text, std::string_view ending) {
+void Diary::keep(const std::string& name, const std::string& text) {
   try {
-    spec::write_file(folder_ / kFindings / (digest(text) + std::string(ending)), text);
+    spec::write_file(folder_ / kFindings / name, text);
   } catch (const std::exception&) {
     failed_ = true;
-    static_cast<void>(box_.keep(std::string(ending) + '\n' + text));
+    static_cast<void>(box_.keep(name + '\n' + text));
   }
 }
 
-void Diary::tick(const CampaignResult& result) {
+void Diary::tick(const Counters& result) {
   if (Clock::now() - written_ >= kInterval) write(result);
 }
 
-void Diary::write(CampaignResult result) {
+void Diary::write(Counters result) {
   written_ = Clock::now();
-  result.seconds = seconds();
-  result.cores = 1;
+  result.milliseconds = static_cast<std::uint64_t>(seconds() * 1000);
   result.hits = hits_;
   try {
-    spec::write_file(folder_ / kStatistics, write_summary(result));
+    spec::write_file(folder_ / kStatistics, write_counters(result));
   } catch (const std::exception&) {
     failed_ = true;
   }

@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "fuzz/campaign/black_box.h"
-#include "fuzz/campaign/campaign.h"
+#include "fuzz/campaign/counters.h"
 
 namespace toolcomp::fuzz {
 
@@ -29,9 +29,10 @@ std::string seen_text(const spec::Case& input, const Difference& difference, con
 // The files of one worker, in a folder of its own.
 class Diary {
  public:
-  static constexpr const char* kStatistics = "statistics";  // write_summary()
+  static constexpr const char* kStatistics = "statistics";  // write_counters()
   static constexpr const char* kBlackBox = "black_box";
-  static constexpr const char* kFindings = "findings";  // *.json: seen_text(); others: inputs as they are
+  // EXECUTION-DIGEST.json: seen_text(); with other endings: inputs as they are.
+  static constexpr const char* kFindings = "findings";
   // The exit status of a worker whose folder cannot be written any more.
   static constexpr int kCannotWrite = 74;
 
@@ -45,8 +46,8 @@ class Diary {
   void hit(const std::string& group, std::uint64_t executions, const std::function<std::string(const HowFound&)>& text,
            std::string_view ending);
   // Behind each execution: writes the statistics about once a second.
-  void tick(const CampaignResult& result);
-  void write(CampaignResult result);
+  void tick(const Counters& result);
+  void write(Counters result);
 
   // Something could not be written: the worker must end with kCannotWrite. Nothing is lost before: the black box has
   // it.
@@ -54,7 +55,7 @@ class Diary {
   [[nodiscard]] double seconds() const;
 
  private:
-  void keep(const std::string& text, std::string_view ending);
+  void keep(const std::string& name, const std::string& text);
 
   std::filesystem::path folder_;
   std::string target_;

@@ -1,56 +1,48 @@
 // SPDX-License-Identifier: Apache-2.0
-// One search of the built-in driver: its corpus, its engines, its findings.
+// One search of the built-in driver, guided by the model's recorder: its corpus, its engines.
 #pragma once
 
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "fuzz/campaign/campaign.h"
+#include "fuzz/campaign/counters.h"
 #include "fuzz/campaign/steering.h"
 
 namespace toolcomp::fuzz {
 
 struct DriverOptions {
-  std::vector<std::string> sections;
-  std::vector<Mode> modes;
+  std::string section;
+  Mode mode = Mode::directed;
   std::uint64_t seed = 1;
-  unsigned number = 0;  // among searches side by side: their choices differ
-  Subject subject;      // empty: the fast engine
-  Steering steering = steering_of_process();
-  std::function<bool()> stop;
-  std::function<void(const spec::Case&)> on_input;                     // before each execution
-  std::function<void(const Finding&, bool fresh)> on_finding;          // each difference; fresh: the first of its group
-  std::function<void(const spec::Case&, const std::string&)> on_open;  // what could not be decided, and why
-  std::function<void(const spec::Case&, Mode)> on_corpus;              // what reached something new
+  Subject subject;                                                         // empty: the fast engine
+  std::function<void(const spec::Case&)> on_input;                         // before each execution
+  std::function<void(const spec::Case&, const Difference&)> on_finding;    // each difference
+  std::function<void(const spec::Case&, const std::string& why)> on_open;  // what could not be decided
+  std::function<void(const spec::Case&)> on_corpus;                        // what reached something new
 };
 
-// Belongs to the thread that made it: exact values do.
+// Belongs to the thread that made it: exact values do. The same options and calls give the same search.
 class Driver {
  public:
   explicit Driver(DriverOptions options);
 
-  // The i-th execution: fresh cases and changed corpus cases in turns, sections and modes in turns.
+  // The i-th execution: a fresh case or a changed one of the corpus.
   void step(std::uint64_t i);
   // Executes a case that was kept earlier.
-  void revisit(spec::Case c, Mode mode);
+  void revisit(spec::Case c);
 
-  [[nodiscard]] const CampaignResult& result() const { return result_; }
+  [[nodiscard]] const Counters& result() const { return result_; }
 
  private:
   spec::Case next(std::uint64_t i);
-  void execute(spec::Case c, Mode mode, bool keep);
-  void record(spec::Case c, const Difference& difference);
+  void execute(spec::Case c, bool keep);
 
   DriverOptions options_;
   Coverage coverage_;
-  Mode mode_ = Mode::directed;
-  std::map<std::pair<std::string, Mode>, std::vector<spec::Case>> corpus_;
-  std::map<std::string, std::size_t> index_;
-  CampaignResult result_;
+  std::vector<spec::Case> corpus_;
+  Counters result_;
 };
 
 }  // namespace toolcomp::fuzz

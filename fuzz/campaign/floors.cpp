@@ -10,7 +10,7 @@
 
 namespace toolcomp::fuzz {
 
-std::vector<std::string> shortfalls(const Target& target, const CampaignResult& result) {
+std::vector<std::string> shortfalls(const Target& target, const Counters& result) {
   std::vector<std::string> all;
   if (result.executions == 0) return {"not run"};
   if (target.is_reader()) return all;
@@ -20,7 +20,7 @@ std::vector<std::string> shortfalls(const Target& target, const CampaignResult& 
     all.push_back(fmt::format("judged share {:.1f} %, at least {:.0f} % wanted",
                               100 * static_cast<double>(result.values) / static_cast<double>(given),
                               100 * (1 - policy::kMostWide)));
-  const auto open = result.acceptance.at(static_cast<std::size_t>(Acceptance::not_decided));
+  const std::uint64_t open = result.count(Acceptance::not_decided);
   if (open > 0) all.push_back(fmt::format("{} executions that could not be decided", open));
   if (result.executions < kEnoughToJudge) return all;
   const double floor = target.mode == Mode::directed ? kDirectedFloor : kUnrestrictedFloor;

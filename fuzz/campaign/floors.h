@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/campaign/campaign.h"
+#include "fuzz/campaign/counters.h"
 #include "fuzz/campaign/target.h"
 
 namespace toolcomp::fuzz {
@@ -23,7 +23,7 @@ inline constexpr std::uint64_t kEnoughToJudge = 2000;
 
 // Why nothing found by this target means nothing, a sentence each: "acceptance 71.2 %, at least 85 % wanted". Of a
 // reader only that it ran.
-std::vector<std::string> shortfalls(const Target& target, const CampaignResult& result);
+std::vector<std::string> shortfalls(const Target& target, const Counters& result);
 
 // Seeded faults (fast/basis/faults.inc) of a section, and those whose budget is within so many directed executions: a
 // search of that length finds them, which the tests hold.

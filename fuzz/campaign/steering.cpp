@@ -2,13 +2,11 @@
 #include "fuzz/campaign/steering.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <utility>
 
 #include "fuzz/gen/choices.h"
 #include "fuzz/gen/mutate.h"
 #include "fuzz/gen/push.h"
-#include "spec/language/input_error.h"
 #include "spec/language/naming_clause.h"
 
 namespace toolcomp::fuzz {
@@ -16,14 +14,6 @@ namespace {
 
 // One change in so many pushes: it runs the model some ten times, where executing a case runs it once.
 constexpr std::uint64_t kPushEvery = 24;
-
-constexpr std::pair<std::string_view, bool Steering::*> kParts[] = {{"outcomes", &Steering::outcomes},
-                                                                    {"margins", &Steering::margins},
-                                                                    {"pairs", &Steering::pairs},
-                                                                    {"shapes", &Steering::shapes},
-                                                                    {"push", &Steering::push}};
-
-constexpr Steering kNothing{false, false, false, false, false};
 
 // The same on every machine.
 constexpr std::uint32_t mixed(std::uint32_t hash, std::uint32_t value) {
@@ -78,73 +68,27 @@ void for_each_slot(const ModelRun& run, Take take) {
   for_each_shape(run.events, take);
 }
 
-struct Kind {
-  bool Steering::* part;
-  std::uint64_t Reach::* count;
-};
-
-Kind kind_of(std::size_t slot) {
-  if (slot >= kFeatures + kPairSlots) return {&Steering::shapes, &Reach::shapes};
-  if (slot >= kFeatures) return {&Steering::pairs, &Reach::pairs};
-  if (slot % kClauseSlots < kOutcomeSlots) return {&Steering::outcomes, &Reach::outcomes};
-  return {&Steering::margins, &Reach::margins};
-}
-
 }  // namespace
 
-Steering parse_steering(std::string_view text, const char* where) {
-  if (text == "all") return {};
-  Steering steering = kNothing;
-  if (text == "none") return steering;
-  while (true) {
-    const std::string_view name = text.substr(0, text.find(','));
-    const auto* const part = std::ranges::find(kParts, name, &std::pair<std::string_view, bool Steering::*>::first);
-    if (part == std::end(kParts))
-      throw spec::InputError(
-          where, 0, 0,
-          "expected all, none, or some of outcomes,margins,pairs,shapes,push; found \"" + std::string(name) + "\"");
-    steering.*part->second = true;
-    if (name.size() == text.size()) return steering;
-    text.remove_prefix(name.size() + 1);
-  }
-}
-
-std::string to_string(const Steering& steering) {
-  if (steering == Steering{}) return "all";
-  std::string text;
-  for (const auto& [name, part] : kParts)
-    if (steering.*part) (text += text.empty() ? "" : ",") += name;
-  return text.empty() ? "none" : text;
-}
-
-const Steering& steering_of_process() {
-  static const Steering steering = [] {
-    constexpr const char* variable = "TOOLCOMP_STEERING";
-    const char* const text = std::getenv(variable);  // NOLINT(concurrency-mt-unsafe): nobody sets it
-    return text == nullptr ? Steering{} : parse_steering(text, variable);
-  }();
-  return steering;
-}
-
-bool Coverage::add(const ModelRun& run, const Steering& steering, std::span<std::uint8_t> counters) {
-  constexpr std::uint64_t most = 255;
+bool Coverage::add(const ModelRun& run) {
   bool fresh = false;
-  for_each_slot(run, [&](std::size_t slot, std::uint64_t count) {
-    const Kind kind = kind_of(slot);
-    const bool looked_for = steering.*kind.part;
-    if (looked_for && slot < counters.size())
-      counters[slot] = static_cast<std::uint8_t>(std::min(most, counters[slot] + count));
-    if (slots_[slot]) return;
+  for_each_slot(run, [&](std::size_t slot, std::uint64_t) {
+    fresh = fresh || !slots_[slot];
     slots_[slot] = true;
-    ++(reach_.*kind.count);
-    fresh = fresh || looked_for;
   });
   return fresh;
 }
 
-void change(spec::Case& c, Mode mode, const Steering& steering, ChoiceSource& source) {
+void count_reached(const ModelRun& run, std::span<std::uint8_t> counters) {
+  constexpr std::uint64_t most = 255;
+  for_each_slot(run, [&](std::size_t slot, std::uint64_t count) {
+    counters[slot] = static_cast<std::uint8_t>(std::min(most, counters[slot] + count));
+  });
+}
+
+void change(spec::Case& c, Mode mode, bool push, ChoiceSource& source) {
   Choices choose(source);
-  if (steering.push && choose.below(kPushEvery) == 0 && push_toward_boundary(c, choose)) return;
+  if (push && choose.below(kPushEvery) == 0 && push_toward_boundary(c, choose)) return;
   mutate(c, mode, source);
 }
 

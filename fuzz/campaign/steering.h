@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What guides a search: which new things make an input worth keeping, and which mutations ask the model first.
+// What guides a search: which new things make an input worth keeping, and how inputs are changed.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "fuzz/campaign/features.h"
@@ -15,52 +13,27 @@
 
 namespace toolcomp::fuzz {
 
-struct Steering {
-  bool outcomes = true;  // clause × outcome
-  bool margins = true;   // clause × side × size of the margin
-  bool pairs = true;     // two clauses that events of one block rest on
-  bool shapes = true;    // three events in a row, by kind, motion, inserted or not, and the clause that names them
-  bool push = true;      // mutations that push a decision toward its boundary
-
-  friend bool operator==(const Steering&, const Steering&) = default;
-};
-
-// "outcomes,push", "all", "none". Throws spec::InputError of `where`, naming what is unknown.
-Steering parse_steering(std::string_view text, const char* where);
-std::string to_string(const Steering& steering);
-// What the variable TOOLCOMP_STEERING says: for experiments (`./dev experiment steering`). Everything without it.
-// Throws as parse_steering().
-const Steering& steering_of_process();
-
-// Behind the features of a run (features.h): pairs and shapes, by their hashes.
+// Behind the features of a run (features.h): pairs of clauses that events of one block rest on, and shapes, three
+// events in a row by kind, motion, inserted or not, and the clause that names them; both by their hashes.
 inline constexpr std::size_t kPairSlots = 8192;
 inline constexpr std::size_t kShapeSlots = 8192;
 inline constexpr std::size_t kSteeringSlots = kFeatures + kPairSlots + kShapeSlots;
 
-// How much has been reached, each thing once.
-struct Reach {
-  std::uint64_t outcomes = 0;
-  std::uint64_t margins = 0;
-  std::uint64_t pairs = 0;
-  std::uint64_t shapes = 0;
-
-  [[nodiscard]] std::uint64_t total() const { return outcomes + margins + pairs + shapes; }
-};
-
-// What the runs of a search have reached, looked for or not.
+// What the runs of a search have reached.
 class Coverage {
  public:
-  // Whether there was something new among what is looked for. That is added to `counters` too, saturating: one for each
-  // slot, or none.
-  bool add(const ModelRun& run, const Steering& steering, std::span<std::uint8_t> counters = {});
-  [[nodiscard]] const Reach& reach() const { return reach_; }
+  // Whether there was something new.
+  bool add(const ModelRun& run);
 
  private:
   std::vector<bool> slots_ = std::vector<bool>(kSteeringSlots, false);
-  Reach reach_;
 };
 
-// One change of a case as steering says.
-void change(spec::Case& c, Mode mode, const Steering& steering, ChoiceSource& source);
+// Adds what a run reached to counters, saturating: one for each slot.
+void count_reached(const ModelRun& run, std::span<std::uint8_t> counters);
+
+// One change of a case; with `push` it may ask the model: some change then moves one number so that one decision comes
+// nearer to its boundary.
+void change(spec::Case& c, Mode mode, bool push, ChoiceSource& source);
 
 }  // namespace toolcomp::fuzz

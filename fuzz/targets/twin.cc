@@ -11,17 +11,16 @@
 #include <span>
 #include <string>
 
+#include "fuzz/campaign/counters.h"
 #include "fuzz/campaign/diary.h"
 #include "fuzz/campaign/floors.h"
 #include "fuzz/campaign/long_program.h"
 #include "fuzz/campaign/steering.h"
-#include "fuzz/campaign/summary.h"
 #include "fuzz/campaign/target.h"
 #include "fuzz/gen/encode.h"
 #include "fuzz/gen/mutate.h"
 #include "fuzz/oracle/trial.h"
 #include "fuzz/targets/worker.h"
-#include "spec/language/input_error.h"
 
 namespace {
 
@@ -31,11 +30,9 @@ using namespace toolcomp::fuzz;
 // executable itself: from a shared library it would be lost.
 __attribute__((section("__libfuzzer_extra_counters"))) std::array<std::uint8_t, kSteeringSlots> g_counters;
 
-constexpr int kBadUsage = 2;
 constexpr int kBelowFloor = 76;
 
-CampaignResult g_result;
-Coverage g_coverage;
+Counters g_result;
 Mode g_mode = Mode::directed;
 
 void report() {
@@ -59,11 +56,10 @@ void report() {
 }
 
 // What has to be looked at again.
-void note(Diary& diary, toolcomp::spec::Case c, const Trial& trial) {
+void note(Diary& diary, const toolcomp::spec::Case& c, const Trial& trial) {
   std::optional<Difference> what = trial.found() ? trial.verdict.difference : std::nullopt;
   if (trial.acceptance == Acceptance::not_decided) what = not_decided(trial.verdict.undecided);
   if (!what) return;
-  c.id = "found." + digest(encode(c));
   diary.hit(
       group_of(c.section, *what), g_result.executions, [&](const HowFound& how) { return seen_text(c, *what, how); },
       ".json");
@@ -83,12 +79,6 @@ namespace toolcomp::fuzz {
 int initialize_target(std::string_view section, Mode mode) {
   g_mode = mode;
   static_cast<void>(worker_diary(twin_name(section, mode).c_str()));
-  try {
-    steering_of_process();
-  } catch (const toolcomp::spec::InputError& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    std::_Exit(kBadUsage);
-  }
   return std::atexit(report);
 }
 
@@ -98,8 +88,7 @@ int run_target(std::string_view section, Mode, const std::uint8_t* data, std::si
   if (diary != nullptr) diary->begin(as_text({data, size}));
   const Trial trial = try_short(c);
   add(g_result, trial);
-  g_coverage.add(trial.run, steering_of_process(), g_counters);
-  g_result.reached = g_coverage.reach();
+  count_reached(trial.run, g_counters);
   if (diary != nullptr) {
     note(*diary, c, trial);
     diary->tick(g_result);
@@ -121,9 +110,7 @@ std::size_t mutate_input(std::string_view section, Mode mode, std::uint8_t* data
   if (c.program.empty() || source.below(anew) == 0) {
     c = generate(section, mode, source);
   } else {
-    Steering steering = steering_of_process();
-    steering.push = steering.push && !repeats_much(c);
-    change(c, mode, steering, source);
+    change(c, mode, !repeats_much(c), source);
   }
   const std::size_t length = put(c, data, most);
   return length > 0 ? length : size;

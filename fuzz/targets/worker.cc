@@ -15,7 +15,7 @@ namespace toolcomp::fuzz {
 namespace {
 
 // What readers count: they judge nothing but themselves.
-CampaignResult g_reader;
+Counters g_reader;
 
 }  // namespace
 
@@ -34,7 +34,7 @@ Diary* worker_diary(const char* target) {
   return diary.get();
 }
 
-void end_if_failed(Diary& diary, const CampaignResult& result) {
+void end_if_failed(Diary& diary, const Counters& result) {
   if (!diary.failed()) return;
   diary.write(result);
   std::_Exit(Diary::kCannotWrite);

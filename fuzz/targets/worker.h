@@ -17,7 +17,7 @@ namespace toolcomp::fuzz {
 Diary* worker_diary(const char* target);
 
 // Behind an execution: ends the process, without those of libFuzzer, where its folder cannot be written.
-void end_if_failed(Diary& diary, const CampaignResult& result);
+void end_if_failed(Diary& diary, const Counters& result);
 
 // What a reader must hold of any text; it asks by require().
 using ReaderLaw = void (*)(std::string_view text);

@@ -86,32 +86,6 @@ TEST(Kill, CertifyLosesNoFindingAndSaysSo) {
   EXPECT_EQ(last.err.find("ended without a report"), std::string::npos) << last.err;
 }
 
-TEST(Kill, FuzzLosesNoFindingAndSaysSo) {
-  const Ending ending;
-  const std::string fuzz = "fuzz --runs 400 --findings " + ending.report;
-  EXPECT_EQ(ending.run(fuzz, SIGKILL).status, 128 + SIGKILL);
-  const std::vector<std::string> before = files_in(ending.report);
-  const auto is_finding = [](const std::string& file) { return file.find("running.json") == std::string::npos; };
-  ASSERT_GT(std::ranges::count_if(before, is_finding), 0);
-  const Outcome next = toolcomp(fuzz + " --controller '" + kFaulty + "drop-event'" + kSection);
-  EXPECT_EQ(next.status, 1);
-  EXPECT_NE(next.err.find("ended without a report"), std::string::npos) << next.err;
-  // Nothing found earlier is written over, and each finding asks its controller again.
-  const std::vector<std::string> after = files_in(ending.report);
-  for (const std::string& file : before)
-    EXPECT_TRUE(!is_finding(file) || std::ranges::find(after, file) != after.end()) << file;
-  EXPECT_GT(after.size() + 1, before.size());
-  std::size_t replayed = 0;
-  for (const std::string& file : after)
-    if (std::ranges::find(before, file) == before.end()) {
-      const Outcome again = toolcomp("replay " + file);
-      EXPECT_EQ(again.status, 1) << file << again.err;
-      EXPECT_NE(again.err.find("asked: " + kFaulty), std::string::npos) << again.err;
-      ++replayed;
-    }
-  EXPECT_GT(replayed, 0U);
-}
-
 TEST(TimeLimit, WhatIsLeftIsCounted) {
   const Folder folder;
   const Outcome outcome = toolcomp("certify --time-limit 1s --cases 20000 --controller '" + kFaulty + "none'" +

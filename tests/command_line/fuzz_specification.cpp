@@ -2,19 +2,28 @@
 // The formal specification as the third voice of a campaign.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <csignal>
+#include <cstdint>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "formal/engine.h"
-#include "tests/command_line/command.h"
+#include "tests/command_line/campaign.h"
 
 namespace {
 
+using toolcomp::test::Background;
+using toolcomp::test::comes_true;
 using toolcomp::test::command;
+using toolcomp::test::dossiers;
 using toolcomp::test::Folder;
 using toolcomp::test::Outcome;
 using toolcomp::test::read;
 using toolcomp::test::toolcomp;
 using Json = nlohmann::json;
+namespace fs = std::filesystem;
 
 class ThirdVoice : public testing::Test {
  protected:
@@ -24,10 +33,24 @@ class ThirdVoice : public testing::Test {
   Folder folder;
   std::string dir = folder.path("c");
   std::string fuzz = "fuzz --campaign " + dir + " --built-in";
+
+  // Ends a campaign as soon as something is true of its folder; what it prints.
+  template <class Condition>
+  Json until(const std::string& command_line, Condition condition) {
+    const Background campaign("exec " + command_line + " --for 1h --json");
+    EXPECT_TRUE(comes_true([&] { return fs::exists(dir + "/state.json") && condition(); }));
+    EXPECT_TRUE(campaign.end(SIGINT));
+    return Json::parse(campaign.out());
+  }
+  std::vector<fs::path> its_findings() const {
+    std::vector<fs::path> list = dossiers(dir);
+    std::erase_if(list, [](const fs::path& path) { return !path.filename().string().starts_with("specification--"); });
+    return list;
+  }
 };
 
 TEST_F(ThirdVoice, HasWhatWorkersKeepAndAgrees) {
-  const Outcome outcome = toolcomp(fuzz + " --section fanuc/tool-length-offset --runs 200 --json");
+  const Outcome outcome = toolcomp(fuzz + " --section fanuc/tool-length-offset --runs 100 --json");
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
   const Json summary = Json::parse(outcome.out);
   const Json& voice = summary["specification"];
@@ -42,11 +65,19 @@ TEST_F(ThirdVoice, HasWhatWorkersKeepAndAgrees) {
   EXPECT_LT(Json::parse(next.out)["specification"]["cases"].get<int>(), voice["cases"].get<int>() + 10) << next.out;
 }
 
+// It has judged more than the inputs that workers kept for it, which `asked` lists.
 TEST_F(ThirdVoice, MakesCasesWhileNothingWaits) {
-  const Outcome outcome = toolcomp(fuzz + " --target tool_offset_directed --for 4s --json");
-  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
-  const Json summary = Json::parse(outcome.out);
-  EXPECT_GT(summary["specification"]["cases"], summary["targets"][0]["executions"].get<int>() / 100);
+  const auto makes_some = [&] {
+    // The first slice is its own.
+    std::istringstream statistics(read(dir + "/work/00000001/statistics"));
+    std::string name;
+    std::int64_t executions = 0;
+    statistics >> name >> executions;
+    const std::string asked = read(dir + "/asked");
+    return executions > std::ranges::count(asked, '\n');
+  };
+  const Json summary = until(TOOLCOMP_BINARY_DIR "/toolcomp " + fuzz + " --target tool_offset_directed", makes_some);
+  EXPECT_GT(summary["specification"]["cases"], 0);
   EXPECT_EQ(summary["specification"]["differ"], 0);
 }
 
@@ -61,7 +92,7 @@ TEST_F(ThirdVoice, IsLeftOutWhereItIsNotWanted) {
 // The model takes G44 for G43.
 TEST_F(ThirdVoice, SaysThatTheModelStandsAlone) {
   const Outcome outcome = command(TOOLCOMP_BINARY_DIR "/toolcomp_with_wrong_model " + fuzz +
-                                  " --target tool_length_offset_directed --runs 300 --json");
+                                  " --target tool_length_offset_directed --runs 100 --json");
   EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
   const Json summary = Json::parse(outcome.out);
   ASSERT_FALSE(summary["findings"].empty()) << outcome.out;
@@ -75,7 +106,7 @@ TEST_F(ThirdVoice, SaysThatTheModelStandsAlone) {
 
 TEST_F(ThirdVoice, SaysThatTheFastEngineStandsAlone) {
   const Outcome outcome = command("TOOLCOMP_FAULT=g44_as_g43 " TOOLCOMP_BINARY_DIR "/toolcomp_with_faults " + fuzz +
-                                  " --target tool_length_offset_directed --runs 300");
+                                  " --target tool_length_offset_directed --runs 100");
   EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
   EXPECT_NE(outcome.out.find("  the fast engine stands alone: model and formal specification agree\n"),
             std::string::npos)
@@ -86,12 +117,11 @@ TEST_F(ThirdVoice, SaysThatTheFastEngineStandsAlone) {
 // What it sees itself, in cases that it makes. Its finding is held exactly again; without the fault it agrees.
 TEST_F(ThirdVoice, ItsFindingIsReplayed) {
   const std::string wrong = TOOLCOMP_BINARY_DIR "/toolcomp_with_wrong_model ";
-  const Outcome outcome = command(wrong + fuzz + " --target tool_length_offset_directed --for 5s --json");
-  EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
-  EXPECT_GT(Json::parse(outcome.out)["specification"]["differ"], 0);
-  const std::string found = command("ls -d " + dir + "/findings/specification--fanuc.*").out;
-  ASSERT_FALSE(found.empty());
-  const std::string folder_of_it = found.substr(0, found.find('\n'));
+  const Json summary =
+      until(wrong + fuzz + " --target tool_length_offset_directed", [&] { return !its_findings().empty(); });
+  EXPECT_GT(summary["specification"]["differ"], 0);
+  ASSERT_FALSE(its_findings().empty());
+  const std::string folder_of_it = its_findings()[0].string();
   const std::string story = read(folder_of_it + "/finding.txt");
   EXPECT_NE(story.find("kind      specification\n"), std::string::npos) << story;
   EXPECT_NE(story.find("voices    the model stands alone: fast engine and formal specification agree\n"),

@@ -7,9 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/campaign/campaign.h"
+#include "fuzz/campaign/driver.h"
 #include "fuzz/campaign/features.h"
-#include "fuzz/campaign/summary.h"
 #include "fuzz/gen/encode.h"
 #include "fuzz/oracle/number.h"
 #include "fuzz/oracle/trial.h"
@@ -49,40 +48,39 @@ TEST(Determinism, ACaseAloneIsTheSameCaseInABatch) {
   for (std::size_t i = cases.size(); i-- > 0;) ASSERT_EQ(digest(cases[i]), first[i]) << encode(cases[i]);
 }
 
-TEST(Determinism, TheSameSeedIsTheSameCampaign) {
-  CampaignOptions options;
-  options.modes = {Mode::directed, Mode::unrestricted};
-  options.runs = test::random_cases(1500);
-  const auto text = [&] {
-    CampaignResult r = run_campaign(options);
-    r.seconds = r.per_second_per_core = 0;
-    std::string all = write_summary(r);
-    for (const Finding& f : r.findings) all += encode(f.input) + explain(f.difference);
+TEST(Determinism, TheSameSeedIsTheSameSearch) {
+  const auto text = [](std::uint64_t seed) {
+    std::string all;
+    for (const std::string_view section : sections())
+      for (const Mode mode : {Mode::directed, Mode::unrestricted}) {
+        DriverOptions options;
+        options.section = section;
+        options.mode = mode;
+        options.seed = seed;
+        options.on_input = [&all](const spec::Case& c) { all += encode(c); };
+        Driver driver(options);
+        for (std::uint64_t i = 0; i < test::random_cases(60); ++i) driver.step(i);
+        all += write_counters(driver.result());
+      }
     return all;
   };
-  const std::string first = text();
-  EXPECT_EQ(text(), first);
-  options.seed = 2;
-  EXPECT_NE(text(), first);
+  const std::string first = text(1);
+  EXPECT_EQ(text(1), first);
+  EXPECT_NE(text(2), first);
 }
 
-TEST(Determinism, JobsShareTheRuns) {
-  CampaignOptions options;
-  options.runs = 301;
-  options.jobs = 3;
-  const CampaignResult r = run_campaign(options);
-  EXPECT_EQ(r.executions, 301U);
-  EXPECT_EQ(r.cores, 3);
+TEST(Determinism, EveryExecutionIsCountedAndReadBack) {
+  DriverOptions options;
+  options.section = "fanuc/tool-offset";
+  options.mode = Mode::unrestricted;
+  Driver driver(options);
+  for (std::uint64_t i = 0; i < 200; ++i) driver.step(i);
+  const Counters& counters = driver.result();
+  EXPECT_EQ(counters.executions, 200U);
   std::uint64_t sum = 0;
-  for (const std::uint64_t n : r.acceptance) sum += n;
-  EXPECT_EQ(sum, r.executions) << "an execution was thrown away uncounted";
-}
-
-TEST(Determinism, ASummaryIsReadBack) {
-  CampaignOptions options;
-  options.runs = 200;
-  const CampaignResult r = run_campaign(options);
-  EXPECT_EQ(write_summary(read_summary(write_summary(r))), write_summary(r));
+  for (const std::uint64_t n : counters.acceptance) sum += n;
+  EXPECT_EQ(sum, counters.executions) << "an execution was thrown away uncounted";
+  EXPECT_EQ(write_counters(read_counters(write_counters(counters))), write_counters(counters));
 }
 
 }  // namespace

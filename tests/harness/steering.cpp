@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -14,7 +15,6 @@
 #include "fuzz/gen/choices.h"
 #include "fuzz/gen/numbers.h"
 #include "fuzz/gen/push.h"
-#include "spec/language/input_error.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -37,49 +37,49 @@ std::optional<double> least_margin(const spec::Case& c, spec::Clause clause) {
   return least;
 }
 
-TEST(Steering, IsReadAsItIsWritten) {
-  for (const char* const text : {"all", "none", "outcomes", "margins,pairs", "outcomes,margins,pairs,shapes"})
-    EXPECT_EQ(to_string(parse_steering(text, "here")), text);
-  EXPECT_EQ(parse_steering("outcomes,margins,pairs,shapes,push", "here"), Steering{});
-  for (const char* const text : {"", "outcome", "outcomes,", "outcomes margins", ",pairs"})
-    EXPECT_THROW(parse_steering(text, "here"), spec::InputError) << text;
-}
-
-// Each part is looked for by itself: a run that has all four kinds is new once for each part alone.
-TEST(Steering, EachPartIsLookedForByItself) {
+// Which kinds of slots a run has: outcomes and margins by clause, pairs, shapes.
+TEST(Steering, CountsWhatARunReachesByKind) {
   const ModelRun run =
       run_model(steered_case("G90 G17 G01 F100 X0. Y0.\nG41 D1 X10. Y0.\nX20. Y10.\nX30. Y0.\nG40 X40.\n"));
-  for (const char* const part : {"outcomes", "margins", "pairs", "shapes"}) {
-    Coverage coverage;
-    std::vector<std::uint8_t> counters(kSteeringSlots);
-    EXPECT_TRUE(coverage.add(run, parse_steering(part, "here"), counters)) << part;
-    EXPECT_FALSE(coverage.add(run, parse_steering(part, "here"))) << part;
-    EXPECT_GT(coverage.reach().outcomes, 0U);
-    EXPECT_GT(coverage.reach().margins, 0U);
-    EXPECT_GT(coverage.reach().pairs, 0U);
-    EXPECT_GT(coverage.reach().shapes, 0U);
-    const auto counted =
-        static_cast<std::uint64_t>(std::ranges::count_if(counters, [](std::uint8_t count) { return count != 0; }));
-    const Reach& reach = coverage.reach();
-    const std::string name = part;
-    EXPECT_EQ(counted, name == "outcomes"  ? reach.outcomes
-                       : name == "margins" ? reach.margins
-                       : name == "pairs"   ? reach.pairs
-                                           : reach.shapes)
-        << part;
-  }
-  Coverage coverage;
-  EXPECT_FALSE(coverage.add(run, parse_steering("push", "here")));
+  std::vector<std::uint8_t> counters(kSteeringSlots);
+  count_reached(run, counters);
+  std::array<std::size_t, 4> kinds{};
+  for (std::size_t slot = 0; slot < counters.size(); ++slot)
+    if (counters[slot] > 0)
+      ++kinds.at(slot >= kFeatures + kPairSlots         ? 3
+                 : slot >= kFeatures                    ? 2
+                 : slot % kClauseSlots >= kOutcomeSlots ? 1
+                                                        : 0);
+  for (const std::size_t count : kinds) EXPECT_GT(count, 0U);
+  // Saturating, however often it is added.
+  for (int i = 0; i < 300; ++i) count_reached(run, counters);
+  EXPECT_EQ(std::ranges::max(counters), 255);
 }
 
-// Two programs with the same clauses in other blocks differ by their pairs; with other rows of the same events, by
-// their shapes.
-TEST(Steering, PairsAreOfOneBlockAndShapesOfRows) {
+// What a run reached before is not new; another row of moves is.
+TEST(Steering, WhatIsNewIsNewOnce) {
   const ModelRun turned = run_model(steered_case("G90 G17 G01 F100 X10.\nY10.\nX0.\n"));
   const ModelRun rapid = run_model(steered_case("G90 G17 G01 F100 X10.\nG00 Y10.\nG01 X0.\n"));
   Coverage coverage;
-  coverage.add(turned, {});
-  EXPECT_TRUE(coverage.add(rapid, parse_steering("shapes", "here")));
+  EXPECT_TRUE(coverage.add(turned));
+  EXPECT_FALSE(coverage.add(turned));
+  EXPECT_TRUE(coverage.add(rapid));
+  EXPECT_FALSE(coverage.add(rapid));
+  EXPECT_FALSE(coverage.add(turned));
+}
+
+// The same events in another row are new by their shapes alone.
+TEST(Steering, ARowOfEventsIsNewByItsShape) {
+  const ModelRun once = run_model(steered_case("G90 G17 G01 F100 X10.\nG00 Y10.\nG01 X0.\n"));
+  const ModelRun other = run_model(steered_case("G90 G17 G01 F100 X10.\nX0.\nG00 Y10.\nG00 X5.\nG01 Y0.\n"));
+  std::vector<std::uint8_t> first(kSteeringSlots);
+  std::vector<std::uint8_t> second(kSteeringSlots);
+  count_reached(once, first);
+  count_reached(other, second);
+  bool shape = false;
+  for (std::size_t slot = kFeatures + kPairSlots; slot < kSteeringSlots; ++slot)
+    shape = shape || (second[slot] > 0 && first[slot] == 0);
+  EXPECT_TRUE(shape);
 }
 
 // Nine in ten pushes that succeed must bring some decision's margin down, and they must succeed often enough to be

@@ -48,12 +48,11 @@ TEST(Trials, AreNotMadeOfWhatRepeatsMuch) {
   EXPECT_FALSE(trial.found());
   EXPECT_TRUE(trial.run.events.empty());
   DriverOptions options;
-  options.sections = {c.section};
-  options.modes = {Mode::directed};
+  options.section = c.section;
   Driver driver(options);
-  driver.revisit(c, Mode::directed);
+  driver.revisit(c);
   EXPECT_EQ(driver.result().executions, 1U);
-  EXPECT_EQ(driver.result().acceptance[static_cast<std::size_t>(Acceptance::too_long)], 1U);
+  EXPECT_EQ(driver.result().count(Acceptance::too_long), 1U);
   c.program = "G01 X1 F100\nM98 P1 L100\nM30\nO1\nX2\nM99\n";
   EXPECT_EQ(try_short(c).acceptance, Acceptance::accepted);
 }

@@ -16,9 +16,9 @@
 #include "certify/fuzzing/state.h"
 #include "certify/temporary_folder.h"
 #include "fuzz/campaign/black_box.h"
+#include "fuzz/campaign/counters.h"
 #include "fuzz/campaign/diary.h"
 #include "fuzz/campaign/floors.h"
-#include "fuzz/campaign/summary.h"
 #include "spec/language/file_writer.h"
 
 namespace toolcomp::certify::fuzzing {
@@ -84,7 +84,7 @@ State state_with(std::uint64_t executions, double worst, const std::string& begu
   state.next_slice = 4;
   state.groups["a"] = executions;
   TargetState& target = state.targets["tool_offset_directed"];
-  target.milliseconds = 10 * executions;
+  target.sum.milliseconds = 10 * executions;
   target.slices = 3;
   target.sum.executions = executions;
   target.sum.worst_ulp = worst;
@@ -120,26 +120,26 @@ TEST(CampaignState, MergesTheSameInAnyOrder) {
 
 TEST(Floors, WhatIsJudgedTooSeldomSaysSo) {
   const fuzz::Target& directed = *fuzz::find_target("tool_offset_directed");
-  fuzz::CampaignResult result;
+  fuzz::Counters result;
   EXPECT_EQ(fuzz::shortfalls(directed, result), std::vector<std::string>{"not run"});
   result.executions = 10'000;
   result.acceptance[0] = 9'000;
   result.values = 50'000;
   result.law_checks = 90'000;
   EXPECT_TRUE(fuzz::shortfalls(directed, result).empty());
-  fuzz::CampaignResult few = result;
+  fuzz::Counters few = result;
   few.acceptance[0] = 8'000;
   EXPECT_EQ(fuzz::shortfalls(directed, few), std::vector<std::string>{"acceptance 80.0 %, at least 85 % wanted"});
-  fuzz::CampaignResult wide = result;
+  fuzz::Counters wide = result;
   wide.wide = 10'000;
   EXPECT_EQ(fuzz::shortfalls(directed, wide), std::vector<std::string>{"judged share 83.3 %, at least 99 % wanted"});
-  fuzz::CampaignResult lawless = result;
+  fuzz::Counters lawless = result;
   lawless.law_checks = 10;
   EXPECT_EQ(fuzz::shortfalls(directed, lawless).size(), 1U);
-  fuzz::CampaignResult open = result;
+  fuzz::Counters open = result;
   open.acceptance[static_cast<std::size_t>(fuzz::Acceptance::not_decided)] = 1;
   EXPECT_EQ(fuzz::shortfalls(directed, open).size(), 1U);
-  fuzz::CampaignResult none = result;
+  fuzz::Counters none = result;
   none.values = 0;
   EXPECT_FALSE(fuzz::shortfalls(directed, none).empty());
 }
@@ -182,7 +182,7 @@ TEST(Diary, KeepsTheFirstHitsOfAGroupThenEverFewer) {
     files += entry.is_regular_file() ? 1 : 0;
   EXPECT_EQ(files, 8U + 5U);  // the 16th, 32nd, … 256th
   diary.write({});
-  const auto read = fuzz::read_summary("hits 500 a group | with blanks\n");
+  const auto read = fuzz::read_counters("hits 500 a group | with blanks\n");
   EXPECT_EQ(read.hits.at("a group | with blanks"), 500U);
   EXPECT_FALSE(diary.failed());
 }
@@ -193,10 +193,11 @@ TEST(Diary, WhatCannotBeWrittenIsKept) {
   fuzz::Diary diary(folder.path(), "tool_offset_directed", 5);
   std::filesystem::remove_all(folder.path() / fuzz::Diary::kFindings);
   spec::write_file(folder.path() / fuzz::Diary::kFindings, "no folder");
-  diary.hit("group", 1, [](const fuzz::HowFound& how) { return how.target; }, ".json");
+  diary.hit("group", 7, [](const fuzz::HowFound& how) { return how.target; }, ".json");
   EXPECT_TRUE(diary.failed());
-  EXPECT_EQ(fuzz::BlackBox::read(folder.path() / fuzz::Diary::kBlackBox)->kept,
-            std::vector<std::string>{".json\ntool_offset_directed"});
+  EXPECT_EQ(
+      fuzz::BlackBox::read(folder.path() / fuzz::Diary::kBlackBox)->kept,
+      std::vector<std::string>{"0000000007-" + fuzz::digest("tool_offset_directed") + ".json\ntool_offset_directed"});
 }
 
 TEST(Settled, IsReadBack) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// toolcomp fuzz-worker: the built-in driver as a worker of a campaign.
+// The processes of a campaign: the built-in driver as a worker, the third voice, a sighting looked at.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -10,9 +11,12 @@
 #include <string>
 #include <vector>
 
-#include "certify/finding.h"
+#include "certify/evidence.h"
+#include "certify/fuzzing/settler.h"
+#include "certify/fuzzing/third_voice.h"
 #include "cli/controller.h"
 #include "cli/verbs.h"
+#include "formal/engine.h"
 #include "fuzz/campaign/diary.h"
 #include "fuzz/campaign/driver.h"
 #include "fuzz/campaign/target.h"
@@ -25,6 +29,7 @@ namespace toolcomp::cli {
 namespace {
 
 namespace fs = std::filesystem;
+namespace fuzzing = certify::fuzzing;
 
 // A worker's seed in all of its 64 bits, so that the executions of two workers never meet.
 std::uint64_t spread(std::uint64_t seed) {
@@ -71,7 +76,7 @@ class BuiltIn {
         if (!goes_on(0)) return;
         spec::Case c = fuzz::decode(target_.section, spec::read_file(file.string()));
         c.section = target_.section;
-        driver_.revisit(std::move(c), target_.mode);
+        driver_.revisit(std::move(c));
         diary_.tick(driver_.result());
       }
     }
@@ -79,16 +84,18 @@ class BuiltIn {
 
   fuzz::DriverOptions driver_options() {
     fuzz::DriverOptions driver;
-    driver.sections = {target_.section};
-    driver.modes = {target_.mode};
+    driver.section = target_.section;
+    driver.mode = target_.mode;
     driver.seed = spread(options_.seed);
     driver.on_input = [this](const spec::Case& c) { diary_.begin(fuzz::encode(c)); };
-    driver.on_corpus = [this](const spec::Case& c, fuzz::Mode) { keep(fuzz::encode(c)); };
+    driver.on_corpus = [this](const spec::Case& c) { keep(fuzz::encode(c)); };
     driver.on_open = [this](const spec::Case& c, const std::string& why) { note(c, fuzz::not_decided(why)); };
     if (options_.controller.empty())
-      driver.on_finding = [this](const fuzz::Finding& finding, bool) { note(finding.input, finding.difference); };
+      driver.on_finding = [this](const spec::Case& c, const fuzz::Difference& difference) { note(c, difference); };
     else
-      driver.subject = controller_subject(options_.controller, options_.timeout, {}, watch());
+      driver.subject = controller_subject(
+          options_.controller, options_.timeout, {},
+          [this](const certify::Capabilities& able, const certify::Witness& seen) { note(able, seen); });
     return driver;
   }
 
@@ -99,22 +106,19 @@ class BuiltIn {
   }
 
   // Of a controller all that was seen belongs to it: what it was asked before, and what it said.
-  Watch watch() {
-    return {[](const certify::FailureKey&, const std::string&) { return std::optional<std::size_t>(0); },
-            [this](const certify::Capabilities& able, std::size_t, const certify::Witness& witness) {
-              const certify::FailureKey key = certify::key_of(witness.c, witness.judgement);
-              diary_.hit(
-                  fmt::format("{}|{}|{}", key.section, key.kind, key.clause), driver_.result().executions + 1,
-                  [&](const fuzz::HowFound& how) {
-                    certify::Finding seen =
-                        certify::signed_finding(certify::as_seen(able, witness), options_.controller, options_.seed);
-                    seen.target = how.target;
-                    seen.executions = how.executions;
-                    seen.seconds = how.seconds;
-                    return certify::write_finding(seen);
-                  },
-                  ".json");
-            }};
+  void note(const certify::Capabilities& able, const certify::Witness& witness) {
+    const certify::FailureKey key = certify::key_of(witness.c, witness.judgement);
+    diary_.hit(
+        fmt::format("{}|{}|{}", key.section, key.kind, key.clause), driver_.result().executions + 1,
+        [&](const fuzz::HowFound& how) {
+          certify::Finding seen =
+              certify::signed_finding(certify::as_seen(able, witness), options_.controller, options_.seed);
+          seen.target = how.target;
+          seen.executions = how.executions;
+          seen.seconds = how.seconds;
+          return certify::write_finding(seen);
+        },
+        ".json");
   }
 
   void keep(const std::string& input) {
@@ -142,6 +146,40 @@ int fuzz_worker(const WorkerOptions& options) {
   } catch (const spec::InputError&) {
     throw;
   } catch (const std::runtime_error& error) {
+    std::cerr << error.what() << '\n';
+    return fuzz::Diary::kCannotWrite;
+  }
+}
+
+int fuzz_specification(const SpecificationWorkerOptions& options) {
+  if (!formal::available())
+    throw spec::InputError("toolcomp fuzz-specification", 0, 0, "built without the formal specification");
+  fuzzing::ThirdVoiceOptions voice;
+  voice.work = options.work;
+  voice.corpus = options.corpus;
+  voice.asked = options.asked;
+  voice.seed = options.seed;
+  voice.seconds = options.seconds;
+  for (const std::string& name : options.targets)
+    if (const fuzz::Target* target = fuzz::find_target(name); target != nullptr && !target->is_reader())
+      voice.targets.push_back(target);
+  return fuzzing::run_third_voice(voice);
+}
+
+int fuzz_settle(const SettleOptions& options) {
+  try {
+    fuzzing::SettleOptions how;
+    how.timeout = std::chrono::milliseconds(static_cast<std::int64_t>(options.timeout * 1000));
+    const fuzzing::Folder folder{options.campaign};
+    std::cout << fuzzing::write_settled(
+                     fuzzing::settle_file(folder, options.file, options.target, options.as_seen, how))
+              << std::endl;
+    return kAgrees;
+  } catch (const spec::InputError& error) {
+    std::cerr << error.what() << '\n';
+    return kBadInput;
+  } catch (const std::runtime_error& error) {
+    // What looking at it throws is in its dossier: it is the dossier that could not be written.
     std::cerr << error.what() << '\n';
     return fuzz::Diary::kCannotWrite;
   }

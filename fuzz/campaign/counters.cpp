@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fuzz/campaign/summary.h"
+#include "fuzz/campaign/counters.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
 #include <iterator>
-#include <ostream>
 #include <sstream>
-#include <utility>
 
 namespace toolcomp::fuzz {
 namespace {
@@ -25,11 +23,6 @@ void add(ClauseCount& total, const ClauseCount& part) {
 void add(std::vector<ClauseCount>& total, const std::vector<ClauseCount>& part) {
   total.resize(spec::kClauseCount);
   for (std::size_t i = 0; i < part.size(); ++i) add(total[i], part[i]);
-}
-
-void larger(Reach& total, const Reach& part) {
-  for (const auto count : {&Reach::outcomes, &Reach::margins, &Reach::pairs, &Reach::shapes})
-    total.*count = std::max(total.*count, part.*count);
 }
 
 // An outcome a clause can have, with how often it was seen.
@@ -59,7 +52,23 @@ std::vector<OutcomeSeen> outcomes(const spec::ClauseInfo& clause, const ClauseCo
 
 }  // namespace
 
-void add(CampaignResult& total, const Trial& trial) {
+double Counters::accepted_share() const {
+  return executions == 0 ? 0 : static_cast<double>(count(Acceptance::accepted)) / static_cast<double>(executions);
+}
+
+std::uint64_t Counters::count(Acceptance of) const { return acceptance.at(static_cast<std::size_t>(of)); }
+
+std::uint64_t Counters::differed() const {
+  std::uint64_t sum = 0;
+  for (const auto& [group, number] : hits) sum += number;
+  return sum;
+}
+
+double Counters::per_second() const {
+  return milliseconds == 0 ? 0 : static_cast<double>(executions) * 1000 / static_cast<double>(milliseconds);
+}
+
+void add(Counters& total, const Trial& trial) {
   ++total.executions;
   ++total.acceptance.at(static_cast<std::size_t>(trial.acceptance));
   const Verdict& v = trial.verdict;
@@ -80,10 +89,9 @@ void add(CampaignResult& total, const Trial& trial) {
   add(total.clauses, trial.run.recorder.counts());
 }
 
-void add(CampaignResult& total, const CampaignResult& part) {
+void add(Counters& total, const Counters& part) {
   total.executions += part.executions;
-  total.seconds = std::max(total.seconds, part.seconds);
-  total.cores += part.cores;
+  total.milliseconds += part.milliseconds;
   total.decisions += part.decisions;
   total.near_ties += part.near_ties;
   total.ties += part.ties;
@@ -92,30 +100,20 @@ void add(CampaignResult& total, const CampaignResult& part) {
   total.out_of_scope += part.out_of_scope;
   total.few_events += part.few_events;
   total.law_checks += part.law_checks;
-  larger(total.reached, part.reached);
   total.worst_ulp = std::max(total.worst_ulp, part.worst_ulp);
   total.worst_um = std::max(total.worst_um, part.worst_um);
   for (std::size_t i = 0; i < kAcceptances; ++i) total.acceptance.at(i) += part.acceptance.at(i);
   add(total.clauses, part.clauses);
   for (const auto& [group, count] : part.hits) total.hits[group] += count;
-  if (part.not_decided) keep_shortest(total.not_decided, *part.not_decided);
-  total.findings.insert(total.findings.end(), part.findings.begin(), part.findings.end());
-  if (total.seconds > 0 && total.cores > 0)
-    total.per_second_per_core = static_cast<double>(total.executions) / total.seconds / total.cores;
 }
 
-void keep_shortest(std::optional<NotDecided>& kept, NotDecided other) {
-  if (!kept || other.input.program.size() < kept->input.program.size()) kept = std::move(other);
-}
-
-std::string write_summary(const CampaignResult& r) {
+std::string write_counters(const Counters& r) {
   std::string out;
   const auto line = [&out](std::string_view name, auto value) {
     fmt::format_to(std::back_inserter(out), "{} {}\n", name, value);
   };
   line("executions", r.executions);
-  line("seconds", r.seconds);
-  line("cores", r.cores);
+  line("milliseconds", r.milliseconds);
   line("decisions", r.decisions);
   line("near_ties", r.near_ties);
   line("ties", r.ties);
@@ -124,7 +122,6 @@ std::string write_summary(const CampaignResult& r) {
   line("out_of_scope", r.out_of_scope);
   line("few_events", r.few_events);
   line("law_checks", r.law_checks);
-  line("reached", fmt::format("{} {} {} {}", r.reached.outcomes, r.reached.margins, r.reached.pairs, r.reached.shapes));
   line("worst_ulp", r.worst_ulp);
   line("worst_um", r.worst_um);
   for (std::size_t i = 0; i < kAcceptances; ++i) line(fmt::format("acceptance {}", i), r.acceptance.at(i));
@@ -138,8 +135,8 @@ std::string write_summary(const CampaignResult& r) {
   return out;
 }
 
-CampaignResult read_summary(std::string_view text) {
-  CampaignResult r;
+Counters read_counters(std::string_view text) {
+  Counters r;
   r.clauses.resize(spec::kClauseCount);
   std::istringstream in{std::string(text)};
   std::string line;
@@ -148,8 +145,7 @@ CampaignResult read_summary(std::string_view text) {
     std::string name;
     words >> name;
     if (name == "executions") words >> r.executions;
-    if (name == "seconds") words >> r.seconds;
-    if (name == "cores") words >> r.cores;
+    if (name == "milliseconds") words >> r.milliseconds;
     if (name == "decisions") words >> r.decisions;
     if (name == "near_ties") words >> r.near_ties;
     if (name == "ties") words >> r.ties;
@@ -158,7 +154,6 @@ CampaignResult read_summary(std::string_view text) {
     if (name == "out_of_scope") words >> r.out_of_scope;
     if (name == "few_events") words >> r.few_events;
     if (name == "law_checks") words >> r.law_checks;
-    if (name == "reached") words >> r.reached.outcomes >> r.reached.margins >> r.reached.pairs >> r.reached.shapes;
     if (name == "worst_ulp") words >> r.worst_ulp;
     if (name == "worst_um") words >> r.worst_um;
     if (name == "acceptance") {
@@ -178,7 +173,6 @@ CampaignResult read_summary(std::string_view text) {
       if (const auto clause = spec::find_clause(id)) r.clauses[static_cast<std::size_t>(*clause)] = c;
     }
   }
-  if (r.seconds > 0 && r.cores > 0) r.per_second_per_core = static_cast<double>(r.executions) / r.seconds / r.cores;
   return r;
 }
 
@@ -196,13 +190,6 @@ Reached outcomes_reached(std::string_view section, const std::vector<ClauseCount
     }
   }
   return reached;
-}
-
-void print_outcomes(std::ostream& out, std::string_view section, const std::vector<ClauseCount>& clauses) {
-  const Reached reached = outcomes_reached(section, clauses);
-  out << fmt::format("  clause outcomes reached: {} of {}\n", reached.seen, reached.all);
-  if (!reached.missing.empty()) out << "  not reached:\n";
-  for (const std::string& outcome : reached.missing) out << "    " << outcome << '\n';
 }
 
 }  // namespace toolcomp::fuzz
