@@ -14,8 +14,8 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// Programs of a faulty controller that shrinking tries again: each costs a restart, a hang its time-out.
-constexpr std::size_t kMostFaultyRuns = 40;
+// How often shrinking starts a process again that did not survive: a hang costs its time-out, too.
+constexpr std::uint64_t kMostRestarts = 40;
 // So often a finding is asked for where it comes every time: by a process that goes on, where each costs a restart,
 // where it is waited for; and where it does not.
 constexpr std::uint64_t kTries = 5;
@@ -211,15 +211,12 @@ class Evidence {
   }
 
   void shrink_program(const Way& way) {
-    const bool faulty = is_fault(key_);
-    std::size_t faulty_runs = 0;
-    const auto given_up = [&] { return stopped() || (faulty && faulty_runs == kMostFaultyRuns); };
+    const std::uint64_t begun = subject_.starts();
+    const auto given_up = [&] { return stopped() || (!way.fresh && subject_.starts() - begun >= kMostRestarts); };
     const auto still_fails = [&](const spec::Case& c) {
       // Without a hello no program is to blame.
       if (!is_known()) return !stopped() && candidate(c).has_value();
-      if (given_up() || !comes(way, c, patience_)) return false;
-      ++faulty_runs;
-      return true;
+      return !given_up() && comes(way, c, patience_);
     };
     const Witness whole = last_;
     const Shrunk shrunk = shrink(witness_.c, still_fails,

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "certify/convert.h"
+#include "certify/event_fields.h"
 #include "certify/event_values.h"
 #include "certify/evidence.h"
 #include "fuzz/gen/generator.h"
@@ -27,7 +28,7 @@ struct Seen {
   const Finding& finding;
   std::optional<std::vector<ValuePair>> pairs;
   double resolution = 0;  // announced
-  bool fault = false;     // there are no events
+  bool fault = false;     // there are no events that came
 
   [[nodiscard]] bool same(double a, double b) const {
     return std::fabs(a - b) <= resolution + fuzz::policy::kSameForCause * std::max({1.0, std::fabs(a), std::fabs(b)});
@@ -320,8 +321,7 @@ std::vector<std::string> words_of(const Finding& f) {
     const std::string text = f.actual.substr(0, f.actual.find('"'));
     return {kind + ": " + text.substr(0, text.find_last_not_of(" :,") + 1)};
   }
-  if (kind == "missing field" || kind == "field never sent")
-    return {kind + ": " + f.field.substr(0, f.field.find('.'))};
+  if (kind == "missing field" || kind == kNeverSent) return {kind + ": " + f.field.substr(0, f.field.find('.'))};
   if (f.field.empty() || f.field == "event" || is_number(f.actual) || is_number(f.expected)) return {};
   return {fmt::format("{} is {} for {}", f.field, f.actual, f.expected),
           fmt::format("{} is always {}", f.field, f.actual)};
@@ -371,8 +371,8 @@ void add_by_field(const std::vector<Finding>& findings, std::vector<SharedCause>
 
 // Pairs only where a number is what differs.
 Seen seen_in(const Finding& f) {
-  Seen seen{f, std::nullopt, f.subject.resolution.numbers().mm, is_fault(f.key)};
-  if (seen.fault || f.key.kind == "missing field" || f.key.kind == "field never sent") return seen;
+  Seen seen{f, std::nullopt, f.subject.resolution.numbers().mm, is_fault(f.key) || f.key.kind == kNeverSent};
+  if (seen.fault || f.key.kind == "missing field") return seen;
   seen.pairs = pairs_of(f.expected_events, f.actual_events, f.smallest.setup.axes);
   const auto differs = [&](const ValuePair& pair) { return !seen.same(pair.actual, pair.expected.number); };
   if (seen.pairs && std::ranges::none_of(*seen.pairs, differs)) seen.pairs.reset();

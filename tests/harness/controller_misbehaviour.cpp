@@ -325,6 +325,8 @@ TEST(Controller, AFieldAnnouncedAndNeverSentIsAFinding) {
   EXPECT_EQ(exit_status(c), 1);
   ASSERT_EQ(c.findings.size(), 1U);
   EXPECT_EQ(c.findings[0].key.kind, "field never sent");
+  ASSERT_EQ(c.causes.size(), 1U);
+  EXPECT_EQ(c.causes[0].words, "field never sent: clauses");
   EXPECT_EQ(c.findings[0].field, "clauses");
   EXPECT_LE(count_blocks(c.findings[0].smallest.program), 2U);
   const auto paths = write_report(c, folder("never-sends"));
