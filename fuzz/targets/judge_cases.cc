@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// toolcomp_judge_cases FILE|FOLDER…: cases (a line each in *.jsonl, the case of a finding in *.json) through both
-// engines, oracle and laws, for builds with sanitizers. Exit status 1 where engines or laws differ, or where nothing
-// was judged; 2 where there is no case or one cannot be read.
+// toolcomp_judge_cases FILE|FOLDER…: cases (a line each in *.jsonl; in *.json a case, or a finding with its case)
+// through both engines, oracle and laws, for builds with sanitizers. Exit status 1 where engines or laws differ, or
+// where nothing was judged; 2 where there is no case or one cannot be read.
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
@@ -46,7 +46,10 @@ std::vector<Case> cases_of(const fs::path& file) {
   if (file.extension() == ".jsonl") {
     for (std::string line; std::getline(in, line);) cases.push_back(toolcomp::spec::read_case(line, file.string()));
   } else {
-    cases.push_back(toolcomp::spec::read_case(nlohmann::json::parse(in).at("case").dump(), file.string()));
+    // A finding has the case in it; a case has its version there.
+    const nlohmann::json read = nlohmann::json::parse(in);
+    const nlohmann::json& c = read.at("case").is_object() ? read.at("case") : read;
+    cases.push_back(toolcomp::spec::read_case(c.dump(), file.string()));
   }
   return cases;
 }

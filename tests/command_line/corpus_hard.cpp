@@ -30,7 +30,7 @@ TEST(CorpusHard, AWrongFigureFails) {
   const Folder folder;
   std::filesystem::copy(kHard, folder.path("hard"), std::filesystem::copy_options::recursive);
   std::string manifest = read(kHard + "/manifest.json");
-  const std::size_t clause = manifest.find("fanuc.tool-offset.", manifest.find("\"nearest\""));
+  const std::size_t clause = manifest.find("\"clause\":\"fanuc.tool-offset.", manifest.find("\"nearest\""));
   const std::size_t at = manifest.find("\"margin\":\"", clause) + 10;
   ASSERT_LT(at, manifest.size());
   manifest.insert(at, "9");

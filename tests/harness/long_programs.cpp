@@ -54,7 +54,7 @@ spec::Case long_case() {
   c.dialect = "klartext";
   c.setup = spec::read_setup_toml(freeform.setup, "setup");
   c.program = freeform.program;
-  if (test::kSanitized) c.program += ";" + std::string(kLargestAtOnce, ' ') + "\n";
+  if (!test::whole()) c.program += ";" + std::string(kLargestAtOnce, ' ') + "\n";
   return c;
 }
 
