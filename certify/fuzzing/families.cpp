@@ -21,8 +21,14 @@ std::set<std::string_view> words_of(std::string_view block) {
 bool contains(std::string_view shape, std::string_view simpler) {
   const std::vector<std::string_view> wanted = spec::split(simpler, '|');
   auto next = wanted.begin();
-  for (const std::string_view block : spec::split(shape, '|'))
-    if (next != wanted.end() && std::ranges::includes(words_of(block), words_of(*next))) ++next;
+  std::set<std::string_view> in_force;
+  for (const std::string_view block : spec::split(shape, '|')) {
+    std::set<std::string_view> words = words_of(block);
+    for (const char* const number : {"D", "H"})
+      if (words.contains(number)) in_force.insert(number);
+    words.insert(in_force.begin(), in_force.end());
+    if (next != wanted.end() && std::ranges::includes(words, words_of(*next))) ++next;
+  }
   return next == wanted.end();
 }
 

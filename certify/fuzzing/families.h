@@ -10,7 +10,8 @@
 namespace toolcomp::certify::fuzzing {
 
 // Whether the blocks of one shape (shape.h) stand in another one, in their order, each with at least its words:
-// "G44 H X" in "G43 H X|G44 H X Y|G49".
+// "G44 H X" in "G43 H X|G44 H X Y|G49". An offset number (D, H) is a word of the blocks after it too, as for a control:
+// "G44 H" in "H|G44".
 bool contains(std::string_view shape, std::string_view simpler);
 
 struct Way {

@@ -74,6 +74,10 @@ std::string core_of(Subject& subject, const Capabilities& capabilities, const Fi
       return false;
     }
   };
+  // Who fails at the plainest move fails at every program, of which each would be a core of its own.
+  spec::Case plainest = finding.smallest;
+  plainest.program = plainest.dialect == "klartext" ? "L X+1 R0 FMAX\n" : "G00 X1\n";
+  if (differs(plainest)) return shape_of(plainest);
   return shape_of(shrink(finding.smallest, differs, {options.shrink_runs}).smallest);
 }
 

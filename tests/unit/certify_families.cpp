@@ -16,6 +16,8 @@ TEST(Families, AShapeContainsBlocksInTheirOrder) {
   EXPECT_FALSE(contains("G43 H X|G44 H X Y|G49", "G49|G43")) << "the other way round";
   EXPECT_FALSE(contains("G44 X|G44 H", "G44 H X")) << "spread over two blocks";
   EXPECT_FALSE(contains("G44 H", "G44 H|G44 H")) << "once, not twice";
+  EXPECT_TRUE(contains("G10 H L P R|G44", "G44 H")) << "an offset number stays in force";
+  EXPECT_FALSE(contains("G44|H", "G44 H")) << "not before its block";
   EXPECT_FALSE(contains("G4 X", "G44")) << "words, not letters";
 }
 
