@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "spec/language/byte_source.h"
@@ -27,20 +28,24 @@ std::string case_of(const fs::path& dossier) {
   return {};
 }
 
+// Where it is, or can be: no other case has that name.
+fs::path place_of(const Shown& shown, const fs::path& to) {
+  fs::path place = to / shown.name;
+  for (int n = 2; fs::exists(place) && case_of(place) != case_of(shown.folder); ++n)
+    place = to / fmt::format("{}-{}", shown.name, n);
+  return place;
+}
+
 // Whole or not at all; where it is then.
 fs::path copied(const Shown& shown, const fs::path& to) {
-  for (int n = 1;; ++n) {
-    const fs::path place = to / (n == 1 ? shown.name : fmt::format("{}-{}", shown.name, n));
-    if (fs::exists(place) && case_of(place) != case_of(shown.folder)) continue;
-    if (!fs::exists(place)) {
-      const fs::path part = to / fmt::format(".{}.{}.part", shown.name, ::getpid());
-      fs::remove_all(part);
-      fs::create_directories(to);
-      fs::copy(shown.folder, part, fs::copy_options::recursive);
-      fs::rename(part, place);
-    }
-    return place;
-  }
+  fs::path place = place_of(shown, to);
+  if (fs::exists(place)) return place;
+  const fs::path part = to / fmt::format(".{}.{}.part", shown.name, ::getpid());
+  fs::remove_all(part);
+  fs::create_directories(to);
+  fs::copy(shown.folder, part, fs::copy_options::recursive);
+  fs::rename(part, place);
+  return place;
 }
 
 }  // namespace
@@ -54,7 +59,11 @@ Found found_in(const Folder& folder) {
 }
 
 Found copy_out(Found found, const fs::path& to) {
-  for (const Family& finding : found.findings) {
+  for (Family& finding : found.findings) {
+    const auto there = std::ranges::find_if(
+        finding.others, [&](std::size_t other) { return fs::exists(place_of(found.ways[other], to)); });
+    if (there != finding.others.end() && !fs::exists(place_of(found.ways[finding.first], to)))
+      std::swap(finding.first, *there);
     found.ways[finding.first].folder = copied(found.ways[finding.first], to);
     for (const std::size_t other : finding.others) found.ways[other].folder.clear();
   }

@@ -28,7 +28,8 @@ struct Found {
 Found found_in(const Folder& folder);
 
 // Copies the first way of each finding, and what is open, to a folder, under their names or, where another case has
-// one, the next that is free: nothing there is written over. What is found, as it is there: the other ways are nowhere.
+// one, the next that is free: nothing there is written over. Of a finding of which a way is there already that one
+// becomes the first. What is found, as it is there: the other ways are nowhere.
 Found copy_out(Found found, const std::filesystem::path& to);
 
 // "3 findings", and in how many ways where these are more.
