@@ -28,7 +28,8 @@ void define_certify(CommandLine& line) {
   One section of the built-in fast engine:
     $ toolcomp certify --controller fast --section fanuc/tool-offset --cases 20
   A program of one's own, with evidence:
-    $ toolcomp certify --controller 'toolcomp serve --engine fast' part.nc --evidence part.tar.zst)");
+    $ toolcomp certify --controller 'toolcomp serve --engine fast' part.nc \
+        --evidence part.tar.zst)");
   take(sub, "inputs", options->inputs, "FILE",
        "Cases, files of cases (.jsonl) and programs to judge; without them, the golden corpus and generated cases");
   take(sub, "--controller", options->controller, "CONTROLLER",
@@ -80,7 +81,8 @@ void define_verify(CommandLine& line) {
       [options] { return verify(*options); });
   sub->footer(R"(Examples:
   A certificate of one program, with its evidence:
-    $ toolcomp certify --controller 'toolcomp serve --engine fast' part.nc --evidence part.tar.zst
+    $ toolcomp certify --controller 'toolcomp serve --engine fast' part.nc \
+        --evidence part.tar.zst
   Whether it is what it says:
     $ toolcomp verify part.tar.zst)");
   take(sub, "file", options->file, "FILE", "The file that certify --evidence wrote")->required();
