@@ -41,7 +41,7 @@ class Shown:
     def help_of(self, words):
         """What the verb says that begins these words: `run`, or `corpus check`, a verb of a verb."""
         text = self.help(words[0])
-        inner = text and len(words) > 1 and re.search(rf"^  {re.escape(words[1])} ", text, re.M)
+        inner = text and len(words) > 1 and words[1].isalpha() and re.search(rf"^  {re.escape(words[1])} ", text, re.M)
         return self.help(*words[:2]) if inner else text
 
     def environment(self, folder):
@@ -76,7 +76,10 @@ class Shown:
             elif not re.search(rf"^\./dev {re.escape(verb)}\b", text, re.M) and verb.isalpha():
                 return f"./dev has no verb {verb}"
             elif verb in ("certify", "fuzz", "corpus", "proofs"):
-                text += self.help_of(["corpus", "proofs"] if verb == "proofs" else words[1:])
+                said = self.help_of(["corpus", "proofs"] if verb == "proofs" else words[1:])
+                if said is None:
+                    return f"toolcomp has no verb {' '.join(words[1:3])}"
+                text += said
             else:
                 return None  # options of the others are those of scripts
             options = {w.split("=")[0].strip("[]") for w in words[2:] if re.match(r"\[?--[a-z]", w)}
