@@ -57,6 +57,12 @@ Dossier as_it_was(const Finding& seen, Stage stage, std::string why) {
   return dossier;
 }
 
+// The plainest move, with the setup of a case.
+spec::Case plainest_of(spec::Case c) {
+  c.program = c.dialect == "klartext" ? "L X+1 R0 FMAX\n" : "G00 X1\n";
+  return c;
+}
+
 // What is left of the shrunk program where a simpler one may differ in another way: by other events, at another clause.
 // Faults of a process keep theirs: each costs a restart, and there is no way from one to a wrong value.
 std::string core_of(Subject& subject, const Capabilities& capabilities, const Finding& finding,
@@ -75,9 +81,7 @@ std::string core_of(Subject& subject, const Capabilities& capabilities, const Fi
     }
   };
   // Who fails at the plainest move fails at every program, of which each would be a core of its own.
-  spec::Case plainest = finding.smallest;
-  plainest.program = plainest.dialect == "klartext" ? "L X+1 R0 FMAX\n" : "G00 X1\n";
-  if (differs(plainest)) return shape_of(plainest);
+  if (const spec::Case plainest = plainest_of(finding.smallest); differs(plainest)) return shape_of(plainest);
   return shape_of(shrink(finding.smallest, differs, {options.shrink_runs}).smallest);
 }
 
@@ -126,6 +130,10 @@ Dossier settle(const Finding& seen, const SettleOptions& options) {
     // One engine refuses the setup and the other does not, or throws: there is no run to shrink.
     return as_it_was(seen, Stage::seen, error.what());
   }
+}
+
+bool fails_everywhere(const Dossier& dossier) {
+  return !dossier.core.empty() && dossier.core == shape_of(plainest_of(dossier.finding.smallest));
 }
 
 Finding read_sighting(const std::filesystem::path& file, const std::string& target) {

@@ -22,6 +22,9 @@ struct SettleOptions {
 // their own.
 Dossier settle(const Finding& seen, const SettleOptions& options);
 
+// Whether already the plainest move fails: then every program does.
+bool fails_everywhere(const Dossier& dossier);
+
 // The file of one sighting in `file`: a finding (.json), or an input of a target as libFuzzer names it: crash-…,
 // timeout-…, oom-…; of a reader anything. `target` is a fuzz target by name. Throws spec::InputError.
 Finding read_sighting(const std::filesystem::path& file, const std::string& target);

@@ -46,17 +46,19 @@ Settled settle_file(const Folder& folder, const fs::path& file, const std::strin
   Settled settled;
   settled.open = seen.key.kind == fuzz::kUndecidedKind;
   settled.name = dossier.name();
+  settled.everywhere = fails_everywhere(dossier);
   settled.words = explained(dossier);
   settled.fresh = write_dossier(dossier, (settled.open ? folder.open() : folder.findings()) / settled.name);
   return settled;
 }
 
 std::string write_settled(const Settled& settled) {
-  return fmt::format("{} {} {} {}", settled.name, settled.fresh ? 1 : 0, settled.open ? 1 : 0, settled.words);
+  return fmt::format("{} {:d} {:d} {:d} {}", settled.name, settled.fresh, settled.open, settled.everywhere,
+                     settled.words);
 }
 
 std::optional<Settled> read_settled(const std::string& line) {
-  std::array<std::string, 3> word;
+  std::array<std::string, 4> word;
   std::size_t from = 0;
   for (std::string& w : word) {
     const std::size_t end = line.find(' ', from);
@@ -64,7 +66,7 @@ std::optional<Settled> read_settled(const std::string& line) {
     w = line.substr(from, end - from);
     from = end + 1;
   }
-  return Settled{word[0], word[1] == "1", word[2] == "1", line.substr(from)};
+  return Settled{word[0], word[1] == "1", word[2] == "1", word[3] == "1", line.substr(from)};
 }
 
 void Settler::step(State& state, const std::function<void(const Settled&)>& on_settled) {
@@ -113,7 +115,8 @@ void Settler::begin() {
     } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch)
       // Whoever looks at it says so.
     }
-    if (!fuzz::worth_keeping(++looked_[group])) {
+    const std::uint64_t looked = ++looked_[group];
+    if (everywhere_ ? looked > 1 : !fuzz::worth_keeping(looked)) {
       fs::remove(at_.file);
       return;
     }
@@ -128,8 +131,9 @@ void Settler::begin() {
   process_ = std::make_unique<Process>(line);
 }
 
-void Settler::done(State& state, const Settled& settled, const std::function<void(const Settled&)>& on_settled) const {
+void Settler::done(State& state, const Settled& settled, const std::function<void(const Settled&)>& on_settled) {
   if (!settled.open) ++state.groups[settled.name];
+  everywhere_ = everywhere_ || settled.everywhere;
   fs::remove(at_.file);
   on_settled(settled);
 }

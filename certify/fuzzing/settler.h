@@ -20,10 +20,11 @@ namespace toolcomp::certify::fuzzing {
 
 // What became of a sighting: the folder it came to, and how far it got.
 struct Settled {
-  std::string name;    // of the folder below findings/, or below open/
-  bool fresh = false;  // the first of its folder
-  bool open = false;   // could not be decided
-  std::string words;   // one line on it, for people
+  std::string name;         // of the folder below findings/, or below open/
+  bool fresh = false;       // the first of its folder
+  bool open = false;        // could not be decided
+  bool everywhere = false;  // settle.h
+  std::string words;        // one line on it, for people
 };
 
 // In this process: reads the sighting, settles it and writes its dossier. `as_seen`: without looking at it again, after
@@ -41,14 +42,15 @@ class Settler {
       : folder_(folder), program_(std::move(program)), timeout_(timeout), stopped_(std::move(stopped)) {}
 
   // Looks whether the one at work is done and begins the next. Of a group that comes again and again only some are
-  // looked at (fuzz::worth_keeping), which tells two bugs of one clause apart; the others are dropped.
+  // looked at (fuzz::worth_keeping), which tells two bugs of one clause apart; where every program fails only the
+  // first. The others are dropped.
   void step(State& state, const std::function<void(const Settled&)>& on_settled);
   [[nodiscard]] bool busy() const { return process_ != nullptr; }
   void stop() { process_.reset(); }
 
  private:
   void begin();
-  void done(State& state, const Settled& settled, const std::function<void(const Settled&)>& on_settled) const;
+  void done(State& state, const Settled& settled, const std::function<void(const Settled&)>& on_settled);
 
   const Folder& folder_;
   std::filesystem::path program_;
@@ -59,6 +61,7 @@ class Settler {
   Folder::Sighting at_;
   Clock::time_point begun_;
   bool as_seen_ = false;
+  bool everywhere_ = false;
   std::string failed_;  // why looking at it was given up; then it is kept as seen
 };
 

@@ -201,12 +201,13 @@ TEST(Diary, WhatCannotBeWrittenIsKept) {
 }
 
 TEST(Settled, IsReadBack) {
-  const Settled settled{"coordinate--a.b--12", true, false, "some words"};
+  const Settled settled{"coordinate--a.b--12", true, false, true, "some words"};
   const auto again = read_settled(write_settled(settled));
   ASSERT_TRUE(again);
   EXPECT_EQ(again->name, settled.name);
   EXPECT_TRUE(again->fresh);
   EXPECT_FALSE(again->open);
+  EXPECT_TRUE(again->everywhere);
   EXPECT_EQ(again->words, settled.words);
   EXPECT_FALSE(read_settled("rubbish"));
 }
