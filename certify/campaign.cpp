@@ -18,9 +18,9 @@
 #include "certify/convert.h"
 #include "certify/event_fields.h"
 #include "certify/evidence.h"
-#include "certify/failure_groups.h"
 #include "certify/long_program.h"
 #include "certify/path_svg.h"
+#include "certify/program_text.h"
 #include "certify/selection.h"
 #include "certify/self_check.h"
 #include "certify/shrink.h"
@@ -131,6 +131,15 @@ class Campaign {
 
   // Thrown where cases are still being chosen.
   struct Stopped {};
+
+  // The failures of one key: how many cases, and of the smallest all that was seen.
+  struct Failures {
+    std::uint64_t cases = 0;
+    std::pair<std::size_t, std::size_t> size;  // of the smallest, its blocks and bytes
+    std::size_t index = 0;                     // its number among all cases
+    Witness witness;                           // with the last requests before it
+    std::vector<std::size_t> asked;            // all requests before it, of its process, by their numbers
+  };
 
   // What one worker has.
   struct Work {
@@ -335,7 +344,12 @@ class Campaign {
   void keep(const Work& work, const FailureKey& key, Witness witness, std::size_t index) {
     {
       const std::scoped_lock lock(mutex_);
-      if (!groups_.add(key, index, witness.c.program)) return;
+      Failures& failures = failures_[key];
+      const std::pair size{count_blocks(witness.c.program), witness.c.program.size()};
+      // Of two of one size the earlier counts, so that the order in which cases are judged does not.
+      if (failures.cases++ > 0 && std::pair{failures.size, failures.index} < std::pair{size, index}) return;
+      failures.size = size;
+      failures.index = index;
     }
     if (witness.judgement.errors.empty()) witness.judgement.errors = work.subject.errors();
     std::vector<std::size_t> asked;
@@ -343,8 +357,10 @@ class Campaign {
     witness.before = cases_at(std::span(asked).last(std::min(asked.size(), kRequestsKept)));
     const Finding seen = signed_by_us(as_seen(certificate_.subject, witness));
     const std::scoped_lock lock(mutex_);
-    if (!groups_.keep(key, index, std::move(witness))) return;
-    asked_[key] = std::move(asked);
+    Failures& failures = failures_.at(key);
+    if (failures.index != index) return;  // meanwhile another is the smallest
+    failures.witness = std::move(witness);
+    failures.asked = std::move(asked);
     if (options_.found) options_.found(seen);
   }
 
@@ -410,14 +426,14 @@ class Campaign {
 
   void settle_all(Subject& subject) {
     std::vector<Sighting> sightings;
-    for (const auto& [key, group] : groups_.all()) {
-      Sighting sighting{signed_by_us(as_seen(certificate_.subject, group.witness)), [&](const auto& stop) {
-                          Witness witness = group.witness;
-                          witness.before = cases_at(asked_[key]);
+    for (const auto& [key, failures] : failures_) {
+      Sighting sighting{signed_by_us(as_seen(certificate_.subject, failures.witness)), [&](const auto& stop) {
+                          Witness witness = failures.witness;
+                          witness.before = cases_at(failures.asked);
                           return signed_by_us(make_finding(subject, certificate_.subject, witness,
                                                            {options_.shrink_runs, options_.timeout, stop}));
                         }};
-      sighting.finding.occurrences = group.cases;
+      sighting.finding.occurrences = failures.cases;
       sightings.push_back(std::move(sighting));
     }
     add_fields_never_sent(sightings);
@@ -502,8 +518,7 @@ class Campaign {
   std::uint64_t done_ = 0;
   std::mutex mutex_;
   std::map<std::string, Faults> faults_;
-  FailureGroups groups_;
-  std::map<FailureKey, std::vector<std::size_t>> asked_;  // by its process before the smallest, of all cases
+  std::map<FailureKey, Failures> failures_;
   std::exception_ptr error_;
 };
 
