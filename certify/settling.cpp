@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
 #include <span>
 #include <utility>
 
 #include "certify/evidence.h"
 #include "certify/program_text.h"
+#include "certify/sort_by.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -29,7 +31,7 @@ std::vector<SharedCause> groups_of(const std::vector<Sighting>& sightings) {
     const auto smallest = std::ranges::min_element(group.findings, {}, [&](std::size_t i) { return size_of(seen[i]); });
     std::rotate(group.findings.begin(), smallest, smallest + 1);
   }
-  std::ranges::stable_sort(groups, std::ranges::greater(), &SharedCause::cases);
+  sort_by(groups, [](const SharedCause& group) { return -static_cast<std::int64_t>(group.cases); });
   return groups;
 }
 

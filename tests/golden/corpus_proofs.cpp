@@ -40,7 +40,7 @@ TEST(GoldenProofs, CoqProvesASampleOfTheVectors) {
   fs::remove_all(folder);
   ProofOptions options;
   // Coq gives the same answer in every build: the sanitized one proves a few.
-  options.a_section = toolcomp::test::effort(1, 12);
+  options.a_section = toolcomp::test::effort(1U, 12U);
   const ProofFiles written = write_proofs(default_folder(), folder, options);
   EXPECT_EQ(written.vectors.size(), 12U);
   for (const auto& [section, vectors] : written.vectors) EXPECT_GT(vectors, 0U) << section;

@@ -112,7 +112,7 @@ TEST(StreamedAgreement, IsThatOfAllEventsAtHand) {
 
 // Over several times the while for which decisions are kept.
 TEST(StreamedAgreement, IsThatOfAllEventsAtHandInLongPrograms) {
-  const std::size_t blocks = test::effort(600, 1500);
+  const std::size_t blocks = test::effort(600U, 1500U);
   const corpus::Contour contour = corpus::make_contour({.blocks = blocks});
   const corpus::Flank flank = corpus::make_flank({.blocks = blocks});
   const corpus::Freeform freeform = corpus::make_freeform({.blocks = blocks});

@@ -386,7 +386,7 @@ std::string broken(const Shape& shape, std::uint64_t seed, std::size_t blocks, s
 TEST(Batch, GivesWhatTextGives) {
   // Alarms end a path: short ones meet more corners of each kind.
   constexpr std::size_t kBlocks = 400;
-  const std::uint64_t kPaths = test::effort(20, 600);
+  const std::uint64_t kPaths = test::effort(20U, 600U);
   // TOOLCOMP_BATCH_MOVES=1000000: as many paths as it takes to so many moves of each shape.
   const char* const wanted = std::getenv("TOOLCOMP_BATCH_MOVES");  // NOLINT(concurrency-mt-unsafe): one thread
   const std::uint64_t most = wanted == nullptr ? 0 : std::strtoull(wanted, nullptr, 10);

@@ -17,7 +17,7 @@
 namespace toolcomp::fuzz {
 namespace {
 
-const std::uint64_t kCases = test::effort(200, 1000);
+const std::uint64_t kCases = test::effort(200U, 1000U);
 
 struct Seen {
   std::uint64_t few = 0;          // cases with fewer than three events that are judged

@@ -29,7 +29,7 @@ namespace {
 std::size_t number_of_cases() {
   const char* const wanted = std::getenv("TOOLCOMP_LIARS");  // NOLINT(concurrency-mt-unsafe): one thread
   if (wanted != nullptr) return std::strtoul(wanted, nullptr, 10);
-  return test::effort(20, 50);
+  return test::effort(20U, 50U);
 }
 
 constexpr std::size_t kLiars = 40;  // a section

@@ -23,7 +23,7 @@
 namespace toolcomp::fuzz {
 namespace {
 
-const std::uint64_t kSeeds = test::effort(4, 40);
+const std::uint64_t kSeeds = test::effort(4U, 40U);
 constexpr std::uint32_t kWithoutPoint = 3401;  // the bit that is 1 where it is not given
 constexpr const char* kRefused = "refused";
 
@@ -165,7 +165,7 @@ TEST(Keys, AllHaveAnEffect) {
 // A fault that every key is seeded with by itself: a fast engine that ignores the key, which directed cases must find,
 // as they are generated, in so many executions. A key that nothing else chooses shows its clause too.
 TEST(Keys, IgnoredAreFound) {
-  const std::uint64_t budget = test::effort(500, 2000);
+  const std::uint64_t budget = test::effort(500U, 2000U);
   // One of the events up to the first that differs rests on the key's clauses.
   const auto shows = [](const ModelRun& run, const Difference& difference, const spec::KeyInfo& key) {
     const auto count = static_cast<std::ptrdiff_t>(std::min(difference.event + 1, run.events.size()));

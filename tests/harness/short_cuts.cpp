@@ -109,7 +109,7 @@ std::string broken(const spec::Case& c, Fault fault = Fault::none) {
 }
 
 TEST(ShortCuts, GiveWhatTheGeneralPathGives) {
-  const std::uint64_t cases = test::effort(100, 1500);
+  const std::uint64_t cases = test::effort(100U, 1500U);
   for (const std::string_view section : sections())
     if (section.starts_with("fanuc/"))
       for (std::uint64_t seed = 1; seed <= cases; ++seed) {
@@ -250,7 +250,7 @@ std::string contour_with_arcs(std::uint64_t seed, const ArcsUnder& under) {
 }
 
 TEST(ShortCuts, GiveWhatTheGeneralPathGivesAlongContours) {
-  const std::uint64_t cases = test::effort(100, 2000);
+  const std::uint64_t cases = test::effort(100U, 2000U);
   for (const std::string_view setup : kSetups)
     for (const std::string_view compensation : {"B", "C"}) {
       spec::Case c;
@@ -290,7 +290,7 @@ spec::Case side_arcs(std::string_view setup, std::uint64_t seed) {
 }
 
 TEST(ShortCuts, GiveWhatTheGeneralPathGivesAlongArcsUnderToolSideCompensation) {
-  const std::uint64_t cases = test::effort(100, 2000);
+  const std::uint64_t cases = test::effort(100U, 2000U);
   for (const std::string_view setup : kSideSetups) {
     std::uint64_t moves = 0;
     for (std::uint64_t seed = 1; seed <= cases; ++seed) {
@@ -413,7 +413,7 @@ std::string edge_contour(const EdgeSetup& setup, std::uint64_t seed) {
 }
 
 TEST(ShortCuts, GiveWhatTheGeneralPathGivesUnderLeadingEdgeOffset) {
-  const std::uint64_t cases = test::effort(100, 1500);
+  const std::uint64_t cases = test::effort(100U, 1500U);
   for (const EdgeSetup& setup : kEdgeSetups) {
     spec::Case c;
     c.section = "fanuc/leading-edge-offset";
@@ -473,7 +473,7 @@ spec::Case axis_contour(std::string_view setup, std::uint64_t seed) {
 }
 
 TEST(ShortCuts, GiveWhatTheGeneralPathGivesWithoutCompensation) {
-  const std::uint64_t cases = test::effort(100, 2000);
+  const std::uint64_t cases = test::effort(100U, 2000U);
   for (const std::string_view setup : kAxisSetups) {
     std::uint64_t moves = 0;
     for (std::uint64_t seed = 1; seed <= cases; ++seed) {
@@ -567,7 +567,7 @@ std::string tip_contour(std::string_view setup, std::uint64_t seed) {
 }
 
 TEST(ShortCuts, GiveWhatTheGeneralPathGivesUnderToolCenterPointControl) {
-  const std::uint64_t cases = test::effort(40, 400);
+  const std::uint64_t cases = test::effort(40U, 400U);
   for (const std::string_view setup : kTipSetups) {
     spec::Case c;
     c.section = "fanuc/tool-posture-control";

@@ -20,7 +20,7 @@ namespace {
 std::size_t generated_cases() {
   const char* const wanted = std::getenv("WIDTHS_CASES");
   if (wanted != nullptr) return std::strtoull(wanted, nullptr, 10);
-  return test::effort(20, 1000);
+  return test::effort(20U, 1000U);
 }
 
 // 90 of 1e-6 um, which is below 2^-19, and 10 of 1.

@@ -649,7 +649,7 @@ Outcome drift(Random& random, const Program& program) {
 // --- The campaign ----------------------------------------------------------------------------------------------------
 
 std::size_t recordings() {
-  const std::size_t kUsual = test::effort(40, 200);
+  const std::size_t kUsual = test::effort(40U, 200U);
   const char* const asked = std::getenv("TOOLCOMP_TRACE_RECORDINGS");
   return asked == nullptr ? kUsual : std::stoul(asked);
 }

@@ -181,7 +181,7 @@ TEST(DoubleEnclosure, RationalsAreHeld) {
     ASSERT_EQ(read.upper, rounded(value, MPFR_RNDU)) << value;
   }
   for (const int bits : {60, 1000, 1022, 1023, 1024, 1050, 1074, 1075, 5000}) {
-    const Rational large = Rational(Integer(3) << bits);
+    const Rational large = Rational(Integer(3) << static_cast<unsigned>(bits));
     for (const Rational& value : {large, Rational(-large), Rational(1 / large), Rational(-1 / large)}) check(value);
   }
 }

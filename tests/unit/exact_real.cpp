@@ -159,7 +159,7 @@ TEST(Real, EnclosuresHoldTheValueAndAreNarrow) {
     const Rational high = bounds.upper + Rational(14142135623, 10000000000);
     EXPECT_LE(low * low, 2);
     EXPECT_GE(high * high, 2);
-    EXPECT_LE((bounds.upper - bounds.lower) * Rational(Integer(1) << bits), bounds.lower);
+    EXPECT_LE((bounds.upper - bounds.lower) * Rational(Integer(1) << static_cast<unsigned>(bits)), bounds.lower);
   }
   const Enclosure exact = Real(tenth).enclosure();
   EXPECT_EQ(exact.lower, tenth);
