@@ -327,6 +327,19 @@ std::vector<std::string> words_of(const Finding& f) {
           fmt::format("{} is always {}", f.field, f.actual)};
 }
 
+// Any one: what is left of them is tried with each left out in turn.
+void add_one_less(Hypotheses& out) {
+  out.push_back(
+      {"one event of each answer is missing", [](const Seen& s) {
+         const Events& expected = s.finding.expected_events;
+         if (s.fault || s.finding.actual_events.size() + 1 != expected.size()) return false;
+         for (std::size_t i = 0; i < expected.size(); ++i)
+           if (came_changed(s, [i](Events& events) { events.erase(events.begin() + static_cast<std::ptrdiff_t>(i)); }))
+             return true;
+         return false;
+       }});
+}
+
 // What came is what the case before asks for.
 void add_stale(Hypotheses& out) {
   out.push_back({"the answer is that of the case before",
@@ -341,10 +354,11 @@ Hypotheses hypotheses(const std::vector<Seen>& all) {
     add_grids(seen, out);
   }
   add_late(out);
-  add_orders(out);
   add_left_out(out);
+  add_orders(out);
   add_other_cases(out);
   add_stale(out);
+  add_one_less(out);
   for (const Seen& seen : all)
     if (!seen.pairs)
       for (const std::string& words : words_of(seen.finding))

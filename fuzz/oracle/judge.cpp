@@ -341,21 +341,24 @@ class Judge {
     std::priority_queue<Node, std::vector<Node>, Later> open;
     std::set<Forced> seen;
     std::size_t followed = 0;
+    std::size_t events = 0;
     open.push(node(run, {}, first));
     while (!open.empty()) {
       const Node parent = open.top();
       open.pop();
       if (parent.explains && followed++ == policy::kMaxForks)
         return undecided(v, first, fmt::format("more than {} combinations of near ties", policy::kMaxForks));
-      if (seen.size() > policy::kMaxRuns)
-        return undecided(v, first, fmt::format("more than {} runs with near ties otherwise", policy::kMaxRuns));
       for (const Tie& tie : parent.ties)
         for (const Sign outcome : {Sign::negative, Sign::zero, Sign::positive}) {
+          if (events > policy::kMaxForkedEvents)
+            return undecided(v, first,
+                             fmt::format("more than {} events with near ties otherwise", policy::kMaxForkedEvents));
           if (outcome == tie.taken) continue;
           std::optional<Forced> forced = forced_too(parent, tie.index, outcome);
           if (!forced || !seen.insert(*forced).second) continue;
           const std::optional<ModelRun> fork = permitted(*forced);
           if (!fork) continue;
+          events += fork->events.size();
           const Agreement a = compared(*fork);
           if (a.undecided) continue;
           if (!a.difference) {
