@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "certify/capabilities.h"
+#include "certify/causes/shared_cause.h"
 #include "certify/finding.h"
 #include "certify/judge.h"
 #include "certify/occasion.h"
-#include "certify/shared_cause.h"
 #include "model/basis/recorder.h"
 
 namespace toolcomp::certify {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "certify/causes/shared_cause.h"
 #include "certify/finding.h"
-#include "certify/shared_cause.h"
 
 namespace toolcomp::certify {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "certify/causes/recording_cause.h"
 #include "certify/convert.h"
-#include "certify/trace/causes/cause.h"
 #include "certify/trace/findings.h"
 #include "certify/trace/matcher.h"
 #include "certify/trace/program_path.h"

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// What was found once and fixed stays fixed: corpus/regression.
+// What was found once and fixed stays fixed: corpus/regression. And programs written by hand, to meet each rule: where
+// their values stand by hand too, it is in tests/unit and corpus/examples.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <string>
 
 #include "certify/fuzzing/regression.h"
 #include "fuzz/gen/encode.h"
 #include "fuzz/gen/generator.h"
 #include "fuzz/oracle/trial.h"
+#include "spec/language/case_format.h"
 
 namespace toolcomp {
 namespace {
@@ -25,6 +29,17 @@ TEST(Regression, EveryFindingThatWasFixedIsJudgedAndAgrees) {
     EXPECT_GT(trial.verdict.values, 0U) << c.id;
     EXPECT_NE(std::ranges::find(fuzz::sections(), c.section), fuzz::sections().end()) << c.id;
   }
+}
+
+TEST(Regression, ProgramsByHandAgree) {
+  std::ifstream file(TOOLCOMP_SOURCE_DIR "/tests/harness/programs.jsonl");
+  std::size_t cases = 0;
+  for (std::string line; std::getline(file, line); ++cases) {
+    const fuzz::Trial trial = fuzz::try_case(spec::read_case(line, "programs.jsonl"));
+    EXPECT_FALSE(trial.found()) << line << '\n' << fuzz::explain(*trial.verdict.difference);
+    EXPECT_NE(trial.verdict.outcome, fuzz::Outcome::undecided) << line;
+  }
+  EXPECT_GT(cases, 500U);
 }
 
 // As a first input of a campaign it is the same case.

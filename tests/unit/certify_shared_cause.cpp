@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The one mistake behind many findings: lies told on purpose, each in several programs, and what they are called.
-#include "certify/shared_cause.h"
+#include "certify/causes/shared_cause.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/trace/causes/least.h"
+#include "certify/causes/least.h"
 #include "certify/trace/program_path.h"
 #include "certify/trace/trace.h"
 

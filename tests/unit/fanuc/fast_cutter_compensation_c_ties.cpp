@@ -40,6 +40,31 @@ TEST(FastCutterCompensationCTies, TangentJoins) {
   expect_path(wave, {{0.05, y}, {1.95, y}, {4.05, y}}, "wave");
 }
 
+// No. 5010 at a corner of tool side compensation behind an arc, the tool along Z: the vector along the perpendicular
+// and the prolonged one are (-8, 6) and (-2, 14), exactly 10 apart, and (2, 14) follows 4 behind. Doubles tell neither
+// limit from 10.
+TEST(FastCutterCompensationCTies, SmallMovementBehindAnArcToTheLastDigit) {
+  const auto expect_corner = [](const std::string& limit, std::pair<double, double> last) {
+    const std::string program = "G41.2 D1 G01 X0 F100\nX60\nG03 X100 Y0 J50\nG01 X130 Y-40\nG40 X160 Y-80\n";
+    const ProgramRun run(
+        "control=\"fanuc\"\nunits=\"mm\"\naxes=[\"X\",\"Y\",\"Z\",\"B\",\"C\"]\n[position]\nX=-40\nY=-20\n"
+        "[parameters]\n19680=2\n19681=5\n19682=3\n19686=4\n19687=2\n5010=\"" +
+            limit + "\"\n[offsets.D]\n1=10\n",
+        program);
+    Heads heads;
+    for (std::size_t i = 0; i < run.moves(); ++i)
+      if (run.programmed(i, 'X') == 100 && run.programmed(i, 'Y') == 0)
+        heads.emplace_back(run.point(i, 'X') - 100, run.point(i, 'Y'));
+    ASSERT_EQ(heads.size(), 2U) << limit;
+    EXPECT_NEAR(heads[0].first, -8, 1e-13);
+    EXPECT_NEAR(heads[0].second, 6, 1e-13);
+    EXPECT_NEAR(heads[1].first, last.first, 1e-13) << limit;
+    EXPECT_NEAR(heads[1].second, last.second, 1e-13) << limit;
+  };
+  expect_corner("9.999999999999", {-2, 14});
+  expect_corner("10", {2, 14});
+}
+
 TEST(FastCutterCompensationCTies, HalfCircle) {
   // Chord (12,16), R = 10: clockwise the tangents are (-4,3)/5 at the start and (4,-3)/5 at the end, those of the
   // lines.

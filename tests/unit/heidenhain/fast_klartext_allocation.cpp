@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // program: allocations
-// Nothing allocates per block of a Klartext program: neither the reader nor the engine.
+// Nothing allocates per block of a Klartext program, neither the reader nor the engine; and where its counters end.
 #include <gtest/gtest.h>
 
 #include "fast/heidenhain/engine.h"
@@ -13,8 +13,12 @@ namespace {
 
 class Counter final : public EventSink {
  public:
-  void on(const Event& event) override { moves += event.kind == spec::EventKind::move ? 1 : 0; }
+  void on(const Event& event) override {
+    moves += event.kind == spec::EventKind::move ? 1 : 0;
+    last = event.number;
+  }
   std::size_t moves = 0;
+  decltype(Event::number) last;
 };
 
 constexpr const char* kSetup = R"(
@@ -62,6 +66,23 @@ TEST(KlartextAllocation, NoneABlock) {
   engine.end();
   EXPECT_EQ(allocations, before);
   EXPECT_GE(counter.moves, 500U * 14);
+}
+
+// A counter holds 2^125 / (127 * 10^18) = 3.349e17 to either side: three times the longest word, not four times.
+TEST(Klartext, IncrementalWordsOutgrowTheCounter) {
+  for (const char* const sign : {"", "-"})
+    for (const int words : {3, 4}) {
+      std::string program;
+      for (int i = 0; i < words; ++i) program += std::string("L IX") + sign + "99999999999999999\n";
+      const spec::Setup setup = spec::read_setup_toml(kSetup, "setup");
+      Counter counter;
+      klartext::Engine engine(setup, counter);
+      spec::klartext::Reader reader(spec::text_source(program), setup);
+      for (spec::klartext::Block block; reader.next(block);) engine.block(block);
+      engine.end();
+      EXPECT_EQ(counter.moves, 3U) << sign;
+      EXPECT_EQ(counter.last.view() == "POSITION_RANGE", words == 4) << sign;
+    }
 }
 
 }  // namespace

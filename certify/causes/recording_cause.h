@@ -14,10 +14,10 @@
 namespace toolcomp::certify {
 
 // The mistake with which the recording is what the program asks for, within the tolerance: "axes X and Y are
-// exchanged". Tried are, in this order, offsets and senses of rotation that are others (other_case.h), tool center
-// point control that is not in force, axes exchanged, reversed, shifted, scaled, late, and single numbers that are off.
-// `run`: the whole recording; `found`: the findings. Nothing where none of them explains all. What is named is a hint:
-// another mistake may look the same.
+// exchanged". Tried are, in this order, the mistakes of mistakes.h, tool center point control that is not in force,
+// axes exchanged, reversed, shifted, scaled, late, and single numbers that are off. `run`: the whole recording;
+// `found`: the findings. Nothing where none of them explains all. What is named is a hint: another mistake may look the
+// same.
 std::optional<std::string> common_cause(const spec::Case& c, const RecordedRun& run, const Metric& metric,
                                         const ProgramPathOptions& options, const TraceResult& found);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "certify/trace/causes/cause.h"
+#include "certify/causes/recording_cause.h"
 
 #include <fmt/format.h>
 
@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "certify/trace/causes/follow.h"
-#include "certify/trace/causes/least.h"
-#include "certify/trace/causes/listed_path.h"
-#include "certify/trace/causes/other_case.h"
-#include "certify/trace/causes/programmed_path.h"
+#include "certify/causes/follow.h"
+#include "certify/causes/least.h"
+#include "certify/causes/listed_path.h"
+#include "certify/causes/mistakes.h"
+#include "certify/causes/programmed_path.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::certify {
@@ -50,7 +50,7 @@ class Causes {
   std::optional<std::string> find() {
     // What was found is not about the path.
     if (conforms(path(), as_recorded())) return std::nullopt;
-    for (const OtherCase& other : other_cases(c_))
+    for (const OtherCase& other : with_mistakes(c_))
       if (conforms(path_of(other.c), as_recorded())) return other.cause;
     if (auto cause = no_tip_control()) return cause;
     if (auto cause = exchanged()) return cause;

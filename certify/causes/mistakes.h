@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cases with one thing otherwise than stated: what whoever sets up a control gets wrong.
+// Mistakes of whoever sets up a control, or writes one: the case as it runs with them. Findings of a pipe and of a
+// recording are held against these.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -10,14 +12,26 @@
 
 namespace toolcomp::certify {
 
+struct Mistake {
+  const char* words;  // "offsets have the other sign"
+  void (*make)(spec::Case&);
+
+  [[nodiscard]] spec::Case made_in(spec::Case c) const {
+    make(c);
+    return c;
+  }
+};
+// What may be wrong in any case.
+extern const std::array<Mistake, 8> kMistakes;
+
 struct OtherCase {
   std::string cause;  // "D1 has the value of D2"
   spec::Case c;
 };
 
 // Every offset that the program calls with the value of another one, with none, with the other sign, without its wear;
-// a sense of rotation reversed; a tool without its delta values.
-std::vector<OtherCase> other_cases(const spec::Case& c);
+// then the mistakes above, where they change this case.
+std::vector<OtherCase> with_mistakes(const spec::Case& c);
 
 // One number off by what is not known: setup units, or degrees.
 struct OtherValue {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "certify/trace/causes/least.h"
+#include "certify/causes/least.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "certify/trace/causes/other_case.h"
+#include "certify/causes/mistakes.h"
 
 #include <fmt/format.h>
 
 #include <cstdint>
 #include <set>
+#include <string_view>
+#include <utility>
 
 #include "fuzz/oracle/number.h"
 #include "spec/language/byte_source.h"
@@ -14,6 +16,59 @@ namespace toolcomp::certify {
 namespace {
 
 using Offsets = std::map<std::uint32_t, spec::OffsetEntry>;
+
+spec::Decimal negated(spec::Decimal value) {
+  value.negative = !value.negative;
+  return value;
+}
+
+template <class Change>
+void for_offsets(spec::Case& c, const Change& change) {
+  for (auto* table : {&c.setup.h, &c.setup.d})
+    for (auto& [number, entry] : *table) change(entry);
+}
+
+void negate(spec::Case& c) {
+  for_offsets(c, [](spec::OffsetEntry& e) { e = {negated(e.geometry), negated(e.wear)}; });
+}
+void leave_offsets(spec::Case& c) {
+  for_offsets(c, [](spec::OffsetEntry& e) { e = {}; });
+}
+void leave_wear(spec::Case& c) {
+  for_offsets(c, [](spec::OffsetEntry& e) { e.wear = {}; });
+}
+
+// The value of each number is that of the one before.
+void shift_numbers(spec::Case& c) {
+  for (auto* table : {&c.setup.h, &c.setup.d}) {
+    auto before = spec::OffsetEntry{};
+    for (auto& [number, entry] : *table) std::swap(before, entry);
+  }
+}
+
+void exchange_sides(spec::Case& c) {
+  const auto replace = [&c](std::string_view from, std::string_view to) {
+    for (std::size_t at = c.program.find(from); at != std::string::npos; at = c.program.find(from, at + to.size()))
+      c.program.replace(at, from.size(), to);
+  };
+  const bool fanuc = c.setup.control == spec::Control::fanuc;
+  const auto [left, right] = fanuc ? std::pair{"G41", "G42"} : std::pair{"RL", "RR"};
+  constexpr const char* kNeither = "\x01";
+  replace(left, kNeither);
+  replace(right, left);
+  replace(kNeither, right);
+}
+
+void leave_deltas(spec::Case& c) {
+  for (spec::ToolRow& tool : c.setup.tools) tool.dl = tool.dr = tool.dr2 = {};
+}
+
+template <std::uint32_t kParameter>
+void turn_back(spec::Case& c) {
+  if (!c.setup.parameter(19680)) return;
+  const auto now = c.setup.parameter(kParameter);
+  c.setup.parameters[{kParameter, -1}] = spec::decimal(now && !now->is_zero() ? 0 : 1);
+}
 
 struct Called {
   std::set<std::uint32_t> d;
@@ -32,11 +87,6 @@ Called called(const spec::Case& c) {
       (word.address == 'D' ? numbers.d : numbers.h).insert(static_cast<std::uint32_t>(word.value.digits));
     }
   return numbers;
-}
-
-spec::Decimal negated(spec::Decimal value) {
-  value.negative = !value.negative;
-  return value;
 }
 
 std::string total(const spec::OffsetEntry& entry) {
@@ -73,23 +123,6 @@ void add_offsets(const spec::Case& c, Offsets spec::Setup::* table, char letter,
   }
 }
 
-void add_senses(const spec::Case& c, std::vector<OtherCase>& others) {
-  if (!c.setup.parameter(19680)) return;
-  for (const std::uint32_t sense : {19684U, 19689U}) {
-    const auto now = c.setup.parameter(sense);
-    spec::Case other = c;
-    other.setup.parameters[{sense, -1}] = spec::decimal(now && !now->is_zero() ? 0 : 1);
-    others.push_back({fmt::format("a rotary axis turns the other way (No. {})", sense), std::move(other)});
-  }
-}
-
-void add_tools(const spec::Case& c, std::vector<OtherCase>& others) {
-  spec::Case other = c;
-  for (spec::ToolRow& tool : other.setup.tools) tool.dl = tool.dr = tool.dr2 = {};
-  if (other.setup.tools != c.setup.tools)
-    others.push_back({"the delta values of the tool table do not count", std::move(other)});
-}
-
 void add_values(const spec::Case& c, Offsets spec::Setup::* table, char letter, const std::set<std::uint32_t>& numbers,
                 std::vector<OtherValue>& values) {
   for (const std::uint32_t n : numbers)
@@ -102,13 +135,23 @@ void add_values(const spec::Case& c, Offsets spec::Setup::* table, char letter, 
 
 }  // namespace
 
-std::vector<OtherCase> other_cases(const spec::Case& c) {
+const std::array<Mistake, 8> kMistakes{{{"offsets have the other sign", negate},
+                                        {"offsets count as 0", leave_offsets},
+                                        {"offsets are taken without their wear", leave_wear},
+                                        {"offsets are those of the number before", shift_numbers},
+                                        {"left and right are exchanged", exchange_sides},
+                                        {"the delta values of the tool table do not count", leave_deltas},
+                                        {"a rotary axis turns the other way (No. 19684)", turn_back<19684>},
+                                        {"a rotary axis turns the other way (No. 19689)", turn_back<19689>}}};
+
+std::vector<OtherCase> with_mistakes(const spec::Case& c) {
   std::vector<OtherCase> others;
   const Called numbers = called(c);
   add_offsets(c, &spec::Setup::h, 'H', numbers.h, others);
   add_offsets(c, &spec::Setup::d, 'D', numbers.d, others);
-  add_senses(c, others);
-  add_tools(c, others);
+  for (const Mistake& mistake : kMistakes)
+    if (spec::Case other = mistake.made_in(c); other.setup != c.setup || other.program != c.program)
+      others.push_back({mistake.words, std::move(other)});
   return others;
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "certify/trace/causes/programmed_path.h"
+#include "certify/causes/programmed_path.h"
 
 #include <utility>
 #include <vector>
 
+#include "certify/causes/listed_path.h"
 #include "certify/convert.h"
 #include "certify/trace/blocks.h"
-#include "certify/trace/causes/listed_path.h"
 #include "certify/trace/metric.h"
 #include "fuzz/oracle/number.h"
 #include "model/fanuc/program/motion.h"

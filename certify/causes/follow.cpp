@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "certify/trace/causes/follow.h"
+#include "certify/causes/follow.h"
 
 #include <algorithm>
 #include <utility>

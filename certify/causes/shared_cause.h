@@ -19,7 +19,7 @@ struct SharedCause {
 
 // The mistakes, as few as will do, each with the findings that it explains whole: with it the model's events are those
 // that came. Tried are faults of one kind, one word in place of another, events left out, numbers off by a constant or
-// a factor, rounded, axes exchanged, a block late, offsets and sides that are others. A finding stands with the first
+// a factor, rounded, axes exchanged, a block late, and the mistakes of mistakes.h. A finding stands with the first
 // cause that explains most. What is named is a hint: another mistake may look the
 // same. What nothing explains stands together by what differs: "not explained: coordinate of axes". `findings` have the
 // events as they were seen.

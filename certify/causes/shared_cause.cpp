@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "certify/shared_cause.h"
+#include "certify/causes/shared_cause.h"
 
 #include <fmt/format.h>
 
@@ -13,6 +13,7 @@
 #include <set>
 #include <utility>
 
+#include "certify/causes/mistakes.h"
 #include "certify/convert.h"
 #include "certify/event_fields.h"
 #include "certify/event_values.h"
@@ -250,59 +251,9 @@ void add_orders(Hypotheses& out) {
   });
 }
 
-using Change = std::function<void(spec::Case&)>;
-
-void for_offsets(spec::Case& c, const std::function<void(spec::OffsetEntry&)>& change) {
-  for (auto* table : {&c.setup.h, &c.setup.d})
-    for (auto& [number, entry] : *table) change(entry);
-}
-
-// The value of each number is that of the one before.
-void shift_numbers(spec::Case& c) {
-  for (auto* table : {&c.setup.h, &c.setup.d}) {
-    auto before = spec::OffsetEntry{};
-    for (auto& [number, entry] : *table) std::swap(before, entry);
-  }
-}
-
-void exchange_sides(spec::Case& c) {
-  const auto replace = [&c](std::string_view from, std::string_view to) {
-    for (std::size_t at = c.program.find(from); at != std::string::npos; at = c.program.find(from, at + to.size()))
-      c.program.replace(at, from.size(), to);
-  };
-  const bool fanuc = c.setup.control == spec::Control::fanuc;
-  const auto [left, right] = fanuc ? std::pair{"G41", "G42"} : std::pair{"RL", "RR"};
-  constexpr const char* kNeither = "\x01";
-  replace(left, kNeither);
-  replace(right, left);
-  replace(kNeither, right);
-}
-
-// Whether the model gives what came, once the case is changed.
-bool comes_with(const Seen& seen, const Change& change) {
-  spec::Case other = seen.finding.smallest;
-  change(other);
-  return came(seen, other);
-}
-
-void add_other_cases(Hypotheses& out) {
-  const auto add = [&out](const char* words, const Change& change) {
-    out.push_back({words, [change](const Seen& s) { return comes_with(s, change); }});
-  };
-  add("offsets have the other sign", [](spec::Case& c) {
-    for_offsets(c, [](spec::OffsetEntry& e) {
-      e.geometry.negative = !e.geometry.negative;
-      e.wear.negative = !e.wear.negative;
-    });
-  });
-  add("offsets count as 0", [](spec::Case& c) { for_offsets(c, [](spec::OffsetEntry& e) { e = {}; }); });
-  add("offsets are taken without their wear",
-      [](spec::Case& c) { for_offsets(c, [](spec::OffsetEntry& e) { e.wear = {}; }); });
-  add("offsets are those of the number before", shift_numbers);
-  add("left and right are exchanged", exchange_sides);
-  add("the delta values of the tool table do not count", [](spec::Case& c) {
-    for (spec::ToolRow& tool : c.setup.tools) tool.dl = tool.dr = tool.dr2 = {};
-  });
+void add_mistakes(Hypotheses& out) {
+  for (const Mistake& mistake : kMistakes)
+    out.push_back({mistake.words, [&mistake](const Seen& s) { return came(s, mistake.made_in(s.finding.smallest)); }});
 }
 
 bool is_number(const std::string& text) {
@@ -356,7 +307,7 @@ Hypotheses hypotheses(const std::vector<Seen>& all) {
   add_late(out);
   add_left_out(out);
   add_orders(out);
-  add_other_cases(out);
+  add_mistakes(out);
   add_stale(out);
   add_one_less(out);
   for (const Seen& seen : all)
