@@ -141,8 +141,8 @@ inline constexpr double kCap = 1;
 inline constexpr double kMostWide = 0.01;
 inline constexpr double kMicrometresAtOneMetre = 1e6;  // of a radian
 
-// Two numbers that count as one where a mistake is looked for that explains a finding (certify/causes/shared_cause.h): of the
-// larger one, or of 1. No verdict rests on it.
+// Two numbers that count as one where a mistake is looked for that explains a finding (certify/causes/shared_cause.h):
+// of the larger one, or of 1. No verdict rests on it.
 inline constexpr double kSameForCause = 1e-10;
 
 // Setup units, less k: where more would be granted to the head of a vector that two conditions place, it is judged by
