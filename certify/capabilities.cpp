@@ -10,13 +10,15 @@
 
 #include "spec/language/fields.h"
 #include "spec/language/input_error.h"
+#include "spec/language/outside_json.h"
 #include "spec/language/parameter.h"
+#include "spec/language/printable.h"
 #include "spec/language/setup_format.h"
 
 namespace toolcomp::certify {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 constexpr const char* kFile = "capabilities";
 
@@ -36,7 +38,7 @@ std::vector<std::string> list_at(const Json& object, const char* key) {
   std::vector<std::string> list;
   for (const Json& item : *entry) {
     if (!item.is_string()) fail(std::string(key) + " must be an array of strings");
-    list.push_back(item.get<std::string>());
+    list.push_back(spec::printable(item.get<std::string>()));
   }
   return list;
 }
@@ -201,13 +203,13 @@ bool lists(const std::vector<std::string>& list, std::string_view item) {
 }  // namespace
 
 Capabilities read_capabilities(std::string_view line) {
-  const Json json = Json::parse(line, nullptr, false);
-  if (json.is_discarded() || !json.is_object()) fail("the answer to hello is no JSON object");
+  const Json json = spec::read_outside_json(line, kFile);
+  if (!json.is_object()) fail("the answer to hello is no JSON object");
   const auto protocol = json.find("protocol");
   if (protocol == json.end() || *protocol != 1) fail("the answer to hello does not say \"protocol\": 1");
   Capabilities c;
-  c.name = text_at(json, "name");
-  c.version = text_at(json, "version");
+  c.name = spec::printable(text_at(json, "name"));
+  c.version = spec::printable(text_at(json, "version"));
   c.sections = list_at(json, "sections");
   c.fields = list_at(json, "fields");
   if (const auto setup = json.find("setup"); setup != json.end() && !setup->is_null()) {
@@ -220,6 +222,7 @@ Capabilities read_capabilities(std::string_view line) {
 }
 
 std::string write_capabilities(const Capabilities& capabilities) {
+  using Json = nlohmann::ordered_json;
   Json json;
   json["name"] = capabilities.name;
   json["version"] = capabilities.version;

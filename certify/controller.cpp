@@ -9,60 +9,13 @@
 #include "certify/event_fields.h"
 #include "spec/language/case_format.h"
 #include "spec/language/input_error.h"
+#include "spec/language/printable.h"
 
 namespace toolcomp::certify {
 namespace {
 
 // A process whose output has ended is given this long to end itself, so that its exit status can be told.
 constexpr std::chrono::milliseconds kEndPatience{2000};
-
-// How an answer out of step is told.
-const std::string kAnotherCase = "an answer to ";
-
-using spec::Field;
-
-// Fields that every event of a kind has. Those that only some have are missed by the verdict, which knows the event
-// that is expected.
-std::span<const Field> fields_of(spec::EventKind kind) {
-  static constexpr std::array move{Field::type, Field::cause};
-  static constexpr std::array sample{Field::t};
-  static constexpr std::array alarm{Field::number};
-  static constexpr std::array setting{Field::name, Field::value};
-  static constexpr std::array undecided{Field::permitted};
-  switch (kind) {
-    case spec::EventKind::move:
-      return move;
-    case spec::EventKind::sample:
-      return sample;
-    case spec::EventKind::alarm:
-    case spec::EventKind::warning:
-      return alarm;
-    case spec::EventKind::setting:
-      return setting;
-    case spec::EventKind::undecided:
-      return undecided;
-  }
-  return {};
-}
-
-std::optional<MissingField> find_missing(const Capabilities& capabilities, const spec::Reply& reply) {
-  for (std::size_t i = 0; i < reply.events.size(); ++i)
-    for (const Field field : fields_of(reply.events[i].kind)) {
-      const std::string_view name = spec::field_name(field);
-      const bool announced = std::ranges::find(capabilities.fields, name) != capabilities.fields.end();
-      if (announced && !reply.fields[i].has(field)) return MissingField{reply.events[i].line, i, std::string(name)};
-    }
-  return std::nullopt;
-}
-
-// The beginning of a text that may be anything, for messages.
-std::string excerpt(std::string_view text) {
-  constexpr std::size_t kMost = 80;
-  std::string quoted = "\"" + std::string(text.substr(0, kMost)) + "\"";
-  for (char& c : quoted)
-    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
-  return text.size() > kMost ? quoted + "…" : quoted;
-}
 
 }  // namespace
 
@@ -146,39 +99,6 @@ std::variant<Capabilities, Fault> Controller::capabilities() {
     if (auto failure = start(options_.timeout)) return std::move(*failure);
   }
   return *capabilities_;
-}
-
-std::string request_line(const spec::Case& c) {
-  spec::Case request = c;
-  request.expect.clear();
-  request.has_expect = false;
-  return spec::write_case_line(request);
-}
-
-Answer read_answer(const Capabilities& capabilities, const spec::Case& c, std::string line) {
-  Answer answer;
-  answer.line = std::move(line);
-  const auto fault = [&answer](FaultKind kind, std::string what) {
-    answer.result = Fault{kind, std::move(what), {}, {}};
-    return std::move(answer);
-  };
-  try {
-    spec::Reply read = spec::read_reply(answer.line, c.setup.axes, "reply");
-    if (!read.error.empty() && (read.id.empty() || read.id == c.id))
-      return fault(FaultKind::error, excerpt(read.error));
-    if (read.id != c.id)
-      return fault(FaultKind::malformed, kAnotherCase + excerpt(read.id) + " instead of " + excerpt(c.id));
-    if (!read.not_applicable.empty()) {
-      answer.result = NotApplicable{std::move(read.not_applicable)};
-      return answer;
-    }
-    answer.missing = find_missing(capabilities, read);
-    for (const spec::FieldSet& fields : read.fields) answer.sent.add(fields);
-    answer.result = std::move(read.events);
-    return answer;
-  } catch (const spec::InputError& error) {
-    return fault(FaultKind::malformed, error.message() + ": " + excerpt(answer.line));
-  }
 }
 
 Answer Controller::run(const spec::Case& c, std::optional<std::chrono::milliseconds> patience) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <variant>
 
+#include "certify/answer.h"
 #include "certify/process.h"
 #include "certify/subject.h"
 
@@ -19,13 +20,6 @@ struct ControllerOptions {
   std::chrono::milliseconds timeout{10'000};        // for one answer, and for hello
   std::size_t reply_limit = std::size_t{64} << 20;  // bytes of one answer
 };
-
-// The line that asks a controller for a case: without what is expected.
-std::string request_line(const spec::Case& c);
-
-// What a line says that came as the answer to `c`. A line that breaks the protocol is a fault that names nothing but
-// the line: neither the end of a process nor its standard error.
-Answer read_answer(const Capabilities& capabilities, const spec::Case& c, std::string line);
 
 // Starts the command when it is first needed, and again where it ended, did not answer, or answered out of step, so
 // that each case meets one that does.

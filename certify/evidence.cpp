@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
 
 #include "certify/convert.h"
@@ -33,8 +34,12 @@ struct Way {
   std::vector<spec::Case> before;
   std::size_t repeats = 0;  // instead: so many times the case itself
 
+  // Repeats have ids of their own, so that an answer to one of them that comes late is none to the case.
   [[nodiscard]] std::vector<spec::Case> before_of(const spec::Case& c) const {
-    return repeats > 0 ? std::vector<spec::Case>(repeats, c) : before;
+    if (repeats == 0) return before;
+    std::vector<spec::Case> copies(repeats, c);
+    for (std::size_t i = 0; i < repeats; ++i) copies[i].id += " before " + std::to_string(i + 1);
+    return copies;
   }
 };
 

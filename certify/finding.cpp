@@ -3,16 +3,14 @@
 
 #include <algorithm>
 #include <charconv>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "certify/controller.h"
-#include "formal/engine.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/case_document.h"
 #include "spec/language/case_format.h"
 #include "spec/language/input_error.h"
+#include "spec/language/outside_json.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -127,7 +125,7 @@ Finding read_finding(std::string_view text, const std::string& file) {
   finding.directory = text_of(root, "directory", read);
   if (const Node* capabilities = given(root, "capabilities")) {
     read.expect(*capabilities, Kind::table, "capabilities");
-    finding.subject = read_capabilities(Json::parse(text).at("capabilities").dump());
+    finding.subject = read_capabilities(spec::read_outside_json(text, file).at("capabilities").dump());
   }
   finding.seed = text_of(root, "seed", read);
   finding.target = text_of(root, "target", read);
@@ -144,47 +142,6 @@ Finding read_finding(std::string_view text, const std::string& file) {
     for (const Node& item : before->items) finding.before.push_back(spec::case_from(item, read));
   }
   return finding;
-}
-
-Finding signed_finding(Finding finding, const std::string& controller, std::uint64_t seed) {
-  finding.controller = controller;
-  if (!controller.empty()) finding.directory = std::filesystem::current_path().string();
-  finding.seed = std::to_string(seed);
-  finding.tool = std::string("toolcomp ") + TOOLCOMP_VERSION;
-  return finding;
-}
-
-std::string command_in(const std::string& directory, const std::string& command) {
-  if (directory.empty() || command.empty()) return command;
-  return "cd " + shell_quoted(directory) + " && {\n" + command + "\n}";
-}
-
-std::unique_ptr<Subject> subject_of(const std::string& controller, std::chrono::milliseconds timeout,
-                                    std::size_t reply_limit) {
-  if (controller.empty()) return built_in_engine();
-  ControllerOptions options;
-  options.command = controller;
-  options.timeout = timeout;
-  options.reply_limit = reply_limit;
-  return std::make_unique<Controller>(std::move(options));
-}
-
-std::unique_ptr<Subject> subject_of_finding(const std::string& controller, std::chrono::milliseconds timeout) {
-  if (controller != kFormalSpecification) return subject_of(controller, timeout);
-  if (!formal::available())
-    throw spec::InputError(controller, 0, 0, "this toolcomp was built without the formal specification");
-  return formal_specification();
-}
-
-int exit_status(Result result) {
-  switch (result) {
-    case Result::agrees:
-      return 0;
-    case Result::differs:
-      return 1;
-    default:
-      return 3;
-  }
 }
 
 }  // namespace toolcomp::certify

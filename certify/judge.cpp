@@ -9,6 +9,7 @@
 #include "certify/exactly.h"
 #include "fuzz/oracle/policy.h"
 #include "fuzz/oracle/trial.h"
+#include "spec/language/printable.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -146,8 +147,23 @@ FailureKey key_of(const spec::Case& c, const Judgement& judgement) {
   return key;
 }
 
-Judgement judge_answer(const Capabilities& capabilities, const spec::Case& c, const fuzz::ModelRun& run,
-                       const Answer& answer) {
+namespace {
+
+// What the controller wrote goes into findings, reports and lines on a terminal.
+Judgement shown(Judgement j) {
+  for (auto* difference : {&j.difference, &j.verdict.difference})
+    if (*difference)
+      for (std::string* text :
+           {&(*difference)->kind, &(*difference)->field, &(*difference)->expected, &(*difference)->actual})
+        *text = spec::printable(*text, 2000);
+  j.why = spec::printable(j.why, 2000);
+  j.status = spec::printable(j.status);
+  j.errors = spec::printable_lines(j.errors);
+  return j;
+}
+
+Judgement judged_answer(const Capabilities& capabilities, const spec::Case& c, const fuzz::ModelRun& run,
+                        const Answer& answer) {
   if (const auto* failure = std::get_if<Fault>(&answer.result)) return fault(*failure, run);
   if (const auto* none = std::get_if<NotApplicable>(&answer.result)) {
     Judgement j;
@@ -171,6 +187,13 @@ Judgement judge_answer(const Capabilities& capabilities, const spec::Case& c, co
   // A difference in an event that rests on no clause of its own belongs to what was applied before it.
   if (j.difference && !j.difference->clause) j.difference->clause = last_clause(run, j.difference->event);
   return j;
+}
+
+}  // namespace
+
+Judgement judge_answer(const Capabilities& capabilities, const spec::Case& c, const fuzz::ModelRun& run,
+                       const Answer& answer) {
+  return shown(judged_answer(capabilities, c, run, answer));
 }
 
 Judgement judged(fuzz::Verdict verdict) {

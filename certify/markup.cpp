@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "spec/language/json_text.h"
+#include "spec/language/printable.h"
 
 namespace toolcomp::certify {
 
@@ -13,11 +13,11 @@ std::string escape(std::string_view text) {
   std::string out;
   out.reserve(text.size());
   while (!text.empty()) {
-    const std::size_t length = spec::utf8_length(text);
-    const auto c = static_cast<unsigned char>(text.front());
+    const char c = text.front();
+    const std::size_t length = c == '\n' || c == '\t' ? 1 : spec::shown_length(text);
     // U+FFFE and U+FFFF are no characters of XML.
     const bool excluded = text.starts_with("\xEF\xBF\xBE") || text.starts_with("\xEF\xBF\xBF");
-    if (length == 0 || excluded || (c < 0x20 && c != '\n' && c != '\t')) {
+    if (length == 0 || excluded) {
       if (c != '\r') out += "\xEF\xBF\xBD";
     } else if (c == '&') {
       out += "&amp;";

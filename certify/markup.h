@@ -7,8 +7,8 @@
 
 namespace toolcomp::certify {
 
-// `text` as character data or as a double-quoted attribute: the five special characters become entities, bytes that are
-// no UTF-8 and control characters that XML 1.0 does not allow become U+FFFD.
+// `text` as character data or as a double-quoted attribute: the five special characters become entities, what
+// must not be shown (spec/language/printable.h) and what XML 1.0 does not allow become U+FFFD; line ends and tabs stay.
 std::string escape(std::string_view text);
 
 // A double as people read it: at most `decimals` decimals, no trailing zeros, never "-0"; "—" where it is not finite.

@@ -19,6 +19,8 @@
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
 
+#include "spec/language/printable.h"
+
 namespace toolcomp::certify {
 namespace {
 
@@ -209,6 +211,8 @@ bool Process::receive(std::size_t limit, Exchange& end) {
   }
   return true;
 }
+
+std::string Process::errors() const { return spec::printable_lines(errors_); }
 
 void Process::receive_errors() {
   std::array<char, kErrorTail> buffer{};

@@ -46,7 +46,7 @@ class Process {
   [[nodiscard]] int exit_status() const { return exit_status_; }
 
   // The last 4 KiB of standard error.
-  [[nodiscard]] const std::string& errors() const { return errors_; }
+  [[nodiscard]] std::string errors() const;  // as it may be shown
 
  private:
   [[nodiscard]] bool send();  // false: the process takes no more

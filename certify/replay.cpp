@@ -61,6 +61,8 @@ Replay replay(const std::filesystem::path& file, const ReplayOptions& options) {
   const spec::Case& c = result.finding.smallest;
   const fuzz::ModelRun run = fuzz::run_model(c);
   result.asked = options.controller.value_or(command_of(result.finding));
+  const bool theirs = !options.controller && !result.asked.empty() && result.asked != kFormalSpecification;
+  if (theirs && options.before_running) options.before_running(result.asked);
   const std::unique_ptr<Subject> subject = subject_of_finding(result.asked, options.timeout);
   const auto capabilities = subject->capabilities();
   if (const auto* failure = std::get_if<Fault>(&capabilities)) {

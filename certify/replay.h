@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -16,6 +17,8 @@ namespace toolcomp::certify {
 struct ReplayOptions {
   std::optional<std::string> controller;  // instead of the finding's own; empty: the built-in engine
   std::chrono::milliseconds timeout{10'000};
+  // Told the command that the file names before it is run; throws where it must not be.
+  std::function<void(const std::string& command)> before_running;
 };
 
 struct Replay {

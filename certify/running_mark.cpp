@@ -13,12 +13,13 @@
 #include "spec/language/byte_source.h"
 #include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
+#include "spec/language/outside_json.h"
 
 namespace toolcomp::certify {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 constexpr auto kInterval = std::chrono::milliseconds(500);
 
@@ -42,7 +43,7 @@ Value value_at(const Json& state, const char* key) {
 
 std::optional<RunningMark::Earlier> read_mark(const fs::path& file) {
   if (!fs::exists(file)) return std::nullopt;
-  const Json state = Json::parse(spec::read_file(file), nullptr, false);
+  const Json state = spec::read_outside_json(spec::read_file(file), file.string());
   if (!state.is_object()) return RunningMark::Earlier{};
   if (const auto process = value_at<std::int64_t>(state, "process"); is_running(process))
     throw spec::InputError(file.parent_path().string(), 0, 0, fmt::format("process {} is at work there", process));

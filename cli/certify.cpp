@@ -31,6 +31,7 @@
 #include "spec/language/byte_source.h"
 #include "spec/language/case_format.h"
 #include "spec/language/input_error.h"
+#include "spec/language/printable.h"
 
 namespace toolcomp::cli {
 namespace {
@@ -87,8 +88,8 @@ Tolerances tolerances_of(const CertifyOptions& options) {
 
 // Why less was judged than a reader might think.
 void say_how_the_path_ends(const certify::TraceResult& result, const std::string& program) {
-  const std::string name = spec::display_name(program);
-  if (!result.undecided.empty()) std::cerr << name << ": " << result.undecided << '\n';
+  const std::string name = spec::printable(spec::display_name(program));
+  if (!result.undecided.empty()) std::cerr << name << ": " << spec::printable(result.undecided) << '\n';
   for (const spec::Event<double>& event : result.events)
     if (event.kind == spec::EventKind::alarm)
       std::cerr << name << ':' << event.line << ": the path ends in " << event.number.view() << '\n';
@@ -141,7 +142,7 @@ int certify_trace(const CertifyOptions& options) {
   report.options.tolerance = *tolerances.linear;
   report.options.rotary_tolerance = tolerances.rotary;
   if (options.frame == "machine") report.options.frame = certify::PathFrame::machine;
-  if (fs::is_directory(options.trace)) throw spec::InputError(options.trace, 0, 0, "cannot be read: Is a directory");
+  spec::expect_plain_file(options.trace);
   std::ifstream csv(options.trace);
   if (!csv) throw spec::InputError(options.trace, 0, 0, "cannot be read");
   report.result = certify::judge_trace(report.c, csv, options.trace, report.options);
@@ -150,8 +151,8 @@ int certify_trace(const CertifyOptions& options) {
              report.result.off, report.result.corners_missed, report.result.corners, report.result.worst.upper);
   if (report.result.cause) fmt::print("one mistake explains everything found: {}\n", *report.result.cause);
   for (const certify::TraceFinding& finding : report.result.findings)
-    fmt::print("{}:{}: {} of line {} by {}\n", options.trace, finding.sample, finding.kind, finding.line,
-               certify::extent(finding));
+    fmt::print("{}:{}: {} of line {} by {}\n", spec::printable(options.trace), finding.sample, finding.kind,
+               finding.line, certify::extent(finding));
   say_how_the_path_ends(report.result, options.inputs.front());
   return certify::exit_status(report.result);
 }
@@ -181,17 +182,18 @@ void print(const certify::SharedCause& group, const certify::Finding& finding, c
   const bool explained = !group.words.starts_with("not explained");
   fmt::print("\n{} {} {} ({} cases, first {}{})\n  {}{}, in {} finding{}\n  {}\n{}  toolcomp replay {}\n",
              painted(Paint::bad, "FINDING", Stream::out), finding.key.kind, finding.key.clause, group.cases,
-             finding.first_case, certify::how_it_comes(finding), explained ? "looks like: " : "", group.words,
-             group.findings.size(), group.findings.size() == 1 ? "" : "s", certify::explanation(finding),
-             finding.smallest.program, file.string());
+             spec::printable(finding.first_case), certify::how_it_comes(finding), explained ? "looks like: " : "",
+             spec::printable(group.words), group.findings.size(), group.findings.size() == 1 ? "" : "s",
+             spec::printable(certify::explanation(finding), 2000), spec::printable_lines(finding.smallest.program),
+             file.string());
 }
 
 void print(const certify::Certificate& certificate, const std::vector<fs::path>& findings, const std::string& report,
            double seconds) {
   for (const certify::SectionResult& section : certificate.sections) print(section);
   for (const certify::Unsettled& unsettled : certificate.unsettled)
-    std::cerr << unsettled.id << ": " << certify::name(unsettled.result)
-              << (unsettled.why.empty() ? "" : ", " + unsettled.why) << '\n';
+    std::cerr << spec::printable(unsettled.id) << ": " << certify::name(unsettled.result)
+              << (unsettled.why.empty() ? "" : ", " + spec::printable(unsettled.why)) << '\n';
   for (const certify::SharedCause& group : certificate.causes)
     print(group, certificate.findings[group.findings.front()], findings[group.findings.front()]);
   if (!findings.empty())
@@ -200,7 +202,8 @@ void print(const certify::Certificate& certificate, const std::vector<fs::path>&
   if (!certificate.without_effect.empty())
     fmt::print("read, no effect on what is judged: {}\n", fmt::join(certificate.without_effect, " "));
   if (!certificate.chatter.empty())
-    std::cerr << "the controller writes on its standard output what is no answer: " << certificate.chatter << '\n';
+    std::cerr << "the controller writes on its standard output what is no answer: "
+              << spec::printable(certificate.chatter) << '\n';
   for (const certify::SectionResult& section : certificate.sections)
     if (certify::too_many_wide(section.values, section.wide))
       fmt::print("{}: {}\n", shown(section.section), certify::words_on_wide(section.values, section.wide));

@@ -16,6 +16,7 @@
 #include "cli/manners.h"
 #include "cli/options.h"
 #include "cli/verbs.h"
+#include "spec/language/printable.h"
 #include "spec/language/suggestion.h"
 
 namespace toolcomp::cli {
@@ -177,7 +178,7 @@ int CommandLine::refuse(const CLI::ParseError& error) const {
     break;
   }
   const std::string more = what.ends_with('?') ? "" : "; `" + name + " --help` says more";
-  std::cerr << painted_diagnostic(name + ": " + what + more) << '\n';
+  std::cerr << painted_diagnostic(spec::printable(name + ": " + what + more, 2000)) << '\n';
   return kBadInput;
 }
 

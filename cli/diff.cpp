@@ -13,15 +13,17 @@
 #include "cli/progress.h"
 #include "cli/verbs.h"
 #include "fuzz/oracle/verdict.h"
+#include "spec/language/printable.h"
 
 namespace toolcomp::cli {
 
 void print_difference(const fuzz::Difference& difference, const Place& place) {
   const auto paint = [](Paint color, const std::string& text) { return painted(color, text, Stream::out); };
-  fmt::print("{} {}{}{}\n", paint(Paint::place, fmt::format("{}:{}:", spec::display_name(place.file), place.line)),
-             difference.kind, difference.field.empty() ? "" : " ", difference.field);
-  fmt::print("  expected  {}\n  actual    {}\n", paint(Paint::good, difference.expected),
-             paint(Paint::bad, difference.actual));
+  fmt::print("{} {}{}{}\n",
+             paint(Paint::place, fmt::format("{}:{}:", spec::printable(spec::display_name(place.file)), place.line)),
+             spec::printable(difference.kind), difference.field.empty() ? "" : " ", spec::printable(difference.field));
+  fmt::print("  expected  {}\n  actual    {}\n", paint(Paint::good, spec::printable(difference.expected)),
+             paint(Paint::bad, spec::printable(difference.actual)));
   if (difference.deviation_um != 0) fmt::print("  deviation {:.6g} µm\n", difference.deviation_um);
   if (!difference.clause) return;
   const spec::ClauseInfo& clause = spec::info(*difference.clause);

@@ -9,10 +9,12 @@
 
 #include "cli/command_line.h"
 #include "cli/manners.h"
+#include "cli/output.h"
 #include "cli/shown_place.h"
 #include "cli/stop.h"
 #include "cli/verbs.h"
 #include "spec/language/input_error.h"
+#include "spec/language/printable.h"
 
 int main(int argc, char** argv) {
   namespace cli = toolcomp::cli;
@@ -20,17 +22,25 @@ int main(int argc, char** argv) {
   // of many short programs.
   mallopt(M_MMAP_THRESHOLD, 1 << 25);
   mallopt(M_TRIM_THRESHOLD, 1 << 30);
+  cli::keep_standard_streams();
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) static_cast<void>(std::signal(signal, cli::on_signal));
   try {
     cli::CommandLine command_line;
-    return command_line.execute(argc, argv);
+    const int status = command_line.execute(argc, argv);
+    cli::check_output();
+    return status;
   } catch (const toolcomp::spec::InputError& error) {
     std::cout.flush();
     std::cerr << cli::painted_diagnostic(cli::in_characters(error).what()) << '\n';
     return cli::kBadInput;
   } catch (const std::exception& error) {
+    // What formats text throws where it cannot be written.
+    if (cli::output_lost()) {
+      std::cerr << "standard output: cannot be written\n";
+      return cli::kBadInput;
+    }
     std::cout.flush();
-    std::cerr << "toolcomp: internal error: " << error.what() << '\n';
+    std::cerr << "toolcomp: internal error: " << toolcomp::spec::printable(error.what()) << '\n';
     return cli::kSelfCheckFailed;
   }
 }

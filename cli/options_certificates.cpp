@@ -97,7 +97,8 @@ void define_replay(CommandLine& line) {
   CLI::App* sub = line.verb(
       "replay",
       "Judge a finding again\n"
-      "Asks the controller of a finding once more, and judges the answer. A finding is a case: any case can be "
+      "Asks the controller of a finding once more, and judges the answer. The command and the folder that the finding "
+      "names are shown, and run only if you say so: at the terminal, or by --yes. A finding is a case: any case can be "
       "replayed.",
       [options] { return replay(*options); });
   sub->footer(R"(Examples:
@@ -106,6 +107,7 @@ void define_replay(CommandLine& line) {
   take(sub, "finding", options->finding, "FILE", "Finding or case (JSON)")->required();
   take(sub, "--controller", options->controller, "CONTROLLER",
        "Judge this controller (default: the one of the finding)");
+  sub->add_flag("--yes,-y", options->yes, "Run the command that the finding names without asking");
   take_timeout(sub, options->timeout, "Seconds the case may take");
 }
 

@@ -12,6 +12,7 @@
 #include "spec/language/byte_source.h"
 #include "spec/language/fanuc/not_supported.h"
 #include "spec/language/input_error.h"
+#include "spec/language/printable.h"
 
 namespace toolcomp::cli {
 
@@ -30,9 +31,10 @@ void report_alarm(const std::string& file, std::uint64_t line, std::uint64_t col
                   std::string_view message) {
   // Lines of a case are those of the program in it.
   const std::uint64_t shown = file.ends_with(".json") ? column : character_column(file, line, column);
-  std::cerr << painted(Paint::place, fmt::format("{}:{}:{}:", spec::display_name(file), line, shown), Stream::err)
+  std::cerr << painted(Paint::place, fmt::format("{}:{}:{}:", spec::printable(spec::display_name(file)), line, shown),
+                       Stream::err)
             << ' ' << painted(Paint::bad, number, Stream::err);
-  if (!message.empty()) std::cerr << ' ' << message;
+  if (!message.empty()) std::cerr << ' ' << spec::printable(message);
   std::cerr << '\n';
 }
 

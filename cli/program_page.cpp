@@ -26,6 +26,9 @@ std::vector<std::pair<std::uint64_t, std::string>> called_files(const Program& p
   return files;
 }
 
+// Beyond it a picture shows nothing more, and takes minutes and gigabytes.
+constexpr std::size_t kMostOfAPage = 200'000;
+
 std::vector<ProgramAlarm> alarms_of(const Program& program, const certify::ProgramRun& run) {
   std::vector<ProgramAlarm> alarms;
   for (std::size_t i = 0; i < run.events.size(); ++i) {
@@ -56,8 +59,19 @@ ProgramPage program_page(const ViewOptions& options, const std::string& live, bo
   const Program program(options.program, options.setup, options.samples);
   const spec::Case c = program.as_case();
   certify::ProgramRun run;
+  std::size_t blocks = 0;
+  const auto too_long = [&options](const char* what) {
+    throw spec::InputError(spec::display_name(options.program), 0, 0,
+                           fmt::format("{} more than {} {}: no page is made of so long a program",
+                                       *what == 'l' ? "has" : "runs", kMostOfAPage, what));
+  };
+  if (static_cast<std::size_t>(std::ranges::count(c.program, '\n')) > kMostOfAPage) too_long("lines");
+  const auto each_block = [&] {
+    if (++blocks > kMostOfAPage) too_long("blocks");
+    on_block();
+  };
   try {
-    run = certify::run_program(c, spec::display_name(options.program), on_block);
+    run = certify::run_program(c, spec::display_name(options.program), each_block);
   } catch (const spec::InputError& error) {
     throw program.placed(error);
   }

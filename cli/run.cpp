@@ -7,6 +7,7 @@
 
 #include "certify/path_svg.h"
 #include "cli/manners.h"
+#include "cli/output.h"
 #include "cli/program.h"
 #include "cli/program_page.h"
 #include "cli/verbs.h"
@@ -95,6 +96,7 @@ class Printer final : public spec::EventSink<Number> {
   void flush() {
     const std::string_view text = buffer_.view();
     std::cout.write(text.data(), static_cast<std::streamsize>(text.size()));
+    if (output_lost()) check_output();
     buffer_.clear();
   }
   [[nodiscard]] int status() const { return undecided_ ? kUndecided : kAgrees; }

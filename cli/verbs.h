@@ -157,6 +157,7 @@ int verify(const VerifyOptions& options);
 struct ReplayOptions {
   std::string finding;
   std::string controller;
+  bool yes = false;  // run the command that the finding names
   double timeout = 10;
 };
 int replay(const ReplayOptions& options);

@@ -10,6 +10,7 @@
 #include "cli/progress.h"
 #include "cli/verbs.h"
 #include "corpus/golden.h"
+#include "spec/language/printable.h"
 
 namespace toolcomp::cli {
 namespace {
@@ -17,19 +18,22 @@ namespace {
 // Whoever makes a bundle must not know what will be looked at.
 std::uint64_t any_seed() { return std::random_device{}(); }
 
+// All of this is what the bundle says of itself.
 void print(const certify::bundle::Verification& v, const VerifyOptions& options, std::uint64_t seed) {
+  using spec::printable;
   if (!v.manifest.tool.empty())
-    fmt::print("evidence of {}, made {}{}\n", v.manifest.tool, v.manifest.made,
-               v.manifest.interrupted.empty() ? "" : ", " + v.manifest.interrupted);
-  if (!v.controller.empty()) fmt::print("controller: {}\n", v.controller);
-  if (!v.verdict.empty()) fmt::print("certificate: {}; {} cases asked; corpus {}\n", v.verdict, v.asked, v.corpus);
+    fmt::print("evidence of {}, made {}{}\n", printable(v.manifest.tool), printable(v.manifest.made),
+               v.manifest.interrupted.empty() ? "" : ", " + printable(v.manifest.interrupted));
+  if (!v.controller.empty()) fmt::print("controller: {}\n", printable(v.controller));
+  if (!v.verdict.empty())
+    fmt::print("certificate: {}; {} cases asked; corpus {}\n", printable(v.verdict), v.asked, printable(v.corpus));
   if (v.judged_again > 0) {
     const bool all = v.judged_again == v.asked;
     fmt::print("judged again: {} of {} cases{}\n", v.judged_again, v.asked, all ? "" : fmt::format(", seed {}", seed));
   }
-  fmt::print("signature: {}\n", v.signature.empty() ? "none" : v.signature);
-  for (const std::string& why : v.refused) fmt::print("refused: {}\n", why);
-  fmt::print("{}: {}\n", options.file, v.refused.empty() ? "accepted" : "refused");
+  fmt::print("signature: {}\n", v.signature.empty() ? "none" : printable(v.signature));
+  for (const std::string& why : v.refused) fmt::print("refused: {}\n", printable(why));
+  fmt::print("{}: {}\n", printable(options.file), v.refused.empty() ? "accepted" : "refused");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "corpus/sha256.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/input_error.h"
+#include "spec/language/outside_json.h"
 
 namespace toolcomp::corpus {
 
@@ -45,7 +46,7 @@ Manifest read_manifest(const std::filesystem::path& folder) {
   const std::string text = spec::read_file(file);
   Manifest manifest;
   try {
-    const auto json = nlohmann::json::parse(text);
+    const auto json = spec::read_outside_json(text, file.string());
     if (json.at("corpus") != 1) throw spec::InputError(file.string(), 0, 0, "corpus: 1 is the format that is known");
     manifest.version = json.at("version").get<std::string>();
     parse_version(manifest.version);

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "certify/bundle/refused.h"
+#include "spec/language/input_error.h"
+#include "spec/language/outside_json.h"
 
 namespace toolcomp::certify::bundle {
 
@@ -26,7 +28,7 @@ std::string write_manifest(const Manifest& m) {
 Manifest read_manifest(std::string_view text) {
   Manifest m;
   try {
-    const auto json = nlohmann::json::parse(text);
+    const auto json = spec::read_outside_json(text, std::string(kManifest));
     if (!json.at("evidence").is_number_integer() || json.at("evidence") != kFormat)
       throw Refused("manifest.json: is of format " + json.at("evidence").dump() + "; this toolcomp reads format " +
                     std::to_string(kFormat));
@@ -43,6 +45,8 @@ Manifest read_manifest(std::string_view text) {
     for (const auto& file : json.at("files"))
       m.files.push_back({file.at("file").get<std::string>(), file.at("size").get<std::uint64_t>(),
                          file.at("sha256").get<std::string>()});
+  } catch (const spec::InputError& error) {
+    throw Refused("manifest.json: " + error.message());
   } catch (const nlohmann::json::exception& error) {
     throw Refused(std::string("manifest.json: ") + error.what());
   }

@@ -6,6 +6,8 @@
 
 #include "certify/bundle/refused.h"
 #include "spec/language/fields.h"
+#include "spec/language/input_error.h"
+#include "spec/language/outside_json.h"
 
 namespace toolcomp::certify::bundle {
 namespace {
@@ -92,7 +94,7 @@ Record read_record(std::uint64_t number, std::string_view line) {
   Record record;
   CaseResult& r = record.result;
   try {
-    const auto json = nlohmann::json::parse(line);
+    const auto json = spec::read_outside_json(line, place.substr(0, place.size() - 2));
     if (json.at("case") != number) throw Refused("is not that of case " + std::to_string(number));
     const auto text = [&json](const char* key) { return json.contains(key) ? json.at(key).get<std::string>() : ""; };
     r.id = json.at("id").get<std::string>();
@@ -122,6 +124,8 @@ Record read_record(std::uint64_t number, std::string_view line) {
     v.bias = {rounded.at("count").get<std::uint64_t>(), real(rounded.at("sum")), real(rounded.at("worst"))};
     r.sent = fields(json.at("sent"));
     r.due = fields(json.at("due"));
+  } catch (const spec::InputError& error) {
+    throw Refused(error.what());
   } catch (const nlohmann::json::exception& error) {
     throw Refused(place + error.what());
   } catch (const Refused& error) {

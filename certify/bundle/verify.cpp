@@ -24,6 +24,7 @@
 #include "corpus/sha256.h"
 #include "spec/language/case_format.h"
 #include "spec/language/input_error.h"
+#include "spec/language/outside_json.h"
 #include "spec/language/setup_format.h"
 
 namespace toolcomp::certify::bundle {
@@ -91,7 +92,11 @@ class Verifying {
   }
 
   void read_certificate() {
-    certificate_ = Json::parse(bundle_->files.at(std::string(kCertificate)));
+    try {
+      certificate_ = spec::read_outside_json(bundle_->files.at(std::string(kCertificate)), std::string(kCertificate));
+    } catch (const spec::InputError& error) {
+      throw Refused(std::string(kCertificate) + ": " + error.message());
+    }
     result_.verdict = certificate_.at("verdict").get<std::string>();
     const auto hello = bundle_->files.find(std::string(kHello));
     if (hello == bundle_->files.end()) return;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "spec/language/input_error.h"
+#include "spec/language/outside_json.h"
 
 namespace toolcomp::certify::fuzzing {
 namespace {
@@ -101,7 +102,7 @@ std::string write_state(const State& state, const std::vector<Running>& running)
 State read_state(std::string_view text, const std::string& file) {
   State state;
   try {
-    const Json json = Json::parse(text);
+    const Json json = spec::read_outside_json(text, file);
     if (json.at("campaign") != 1) throw spec::InputError(file, 0, 0, "is the state of a campaign of another version");
     json.at("begun").get_to(state.begun);
     json.at("seed").get_to(state.seed);

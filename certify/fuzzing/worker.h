@@ -58,7 +58,7 @@ class Worker {
   // Once it has ended: how, empty where it ended in time: "crash", "hang", "out of memory", "killed by signal 9",
   // "cannot write".
   [[nodiscard]] const std::string& how() const { return how_; }
-  [[nodiscard]] const std::string& errors() const { return process_.errors(); }
+  [[nodiscard]] std::string errors() const { return process_.errors(); }
 
  private:
   void look();

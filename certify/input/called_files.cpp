@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "certify/input/called_files.h"
 
+#include <algorithm>
 #include <iterator>
 #include <optional>
 
 #include "spec/language/byte_source.h"
 #include "spec/language/fanuc/program_files.h"
 #include "spec/language/heidenhain/joined_program.h"
+#include "spec/language/input_error.h"
 
 namespace toolcomp::certify::input {
 
@@ -20,6 +22,9 @@ spec::CalledProgram CalledFiles::finder() {
                                              ? spec::klartext::file_beside(folder, name)
                                              : spec::file_beside(folder, name);
     if (!file) return std::nullopt;
+    const fs::path home = fs::canonical(folder.empty() ? "." : folder);
+    if (const fs::path real = fs::canonical(*file); std::ranges::mismatch(home, real).in1 != home.end())
+      throw spec::InputError(file->string(), 0, 0, "is a link out of the folder of the program: it is not followed");
     begins_.insert_or_assign(line, *file);
     return spec::read_file(file->string());
   };

@@ -77,6 +77,7 @@ class Judge {
   }
 
   void take(const fs::path& file) {
+    spec::expect_plain_file(file.string());
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw spec::InputError(file.string(), 0, 0, "cannot be read");
     const Machine& machine = verdict_.kit.machine;

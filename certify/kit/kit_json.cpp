@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "certify/bundle/archive_reader.h"
 #include "certify/kit/marks.h"
 #include "corpus/sha256.h"
 #include "spec/language/byte_source.h"
@@ -62,7 +63,7 @@ class KitReader {
     kit.corpus = text(root, "corpus");
     kit.corpus_hash = text(root, "corpus_hash");
     kit.sections = read_.strings(at(root, "sections"), "sections");
-    kit.offsets_program = text(root, "offsets");
+    kit.offsets_program = file_name(root, "offsets");
     kit.tolerance = read_.decimal(at(root, "tolerance"), "tolerance");
     kit.outcomes = number(root, "outcomes");
     kit.recorded = number(root, "recorded");
@@ -85,6 +86,15 @@ class KitReader {
     return *node;
   }
   std::string text(const Node& table, std::string_view key) const { return read_.string(at(table, key), key); }
+  // A file of the kit: nothing outside its folder is opened.
+  std::string file_name(const Node& table, std::string_view key) const {
+    expect_file_name(at(table, key).at, text(table, key));
+    return text(table, key);
+  }
+  void expect_file_name(spec::document::Position at, const std::string& name) const {
+    if (!name.empty() && !bundle::is_plain_name(name))
+      read_.fail(at, spec::document::in_quotes(name) + " is no name of a file in a kit");
+  }
   std::uint64_t number(const Node& table, std::string_view key) const {
     constexpr std::uint64_t kMost = 1'000'000'000;
     return read_.integer(at(table, key), key, 0, kMost);
@@ -104,7 +114,7 @@ class KitReader {
 
   KitGroup group(const Node& node) const {
     KitGroup group;
-    group.program = text(node, "program");
+    group.program = file_name(node, "program");
     read_.expect(at(node, "parameters"), Kind::table, "parameters");
     for (const auto& member : at(node, "parameters").members) {
       const std::size_t mark = member.name.find('#');
@@ -121,13 +131,13 @@ class KitReader {
     program.number = static_cast<unsigned>(
         read_.integer(at(node, "number"), "number", kFirstProgram + 1, kFirstProgram + kMostNumber));
     program.group = static_cast<std::size_t>(read_.integer(at(node, "group"), "group", 0, groups - 1));
-    program.file = text(node, "file");
-    program.setup = text(node, "setup");
+    program.file = file_name(node, "file");
+    program.setup = file_name(node, "setup");
     if (node.find("alarm") != nullptr) {
       program.alarm = text(node, "alarm");
       program.alarm_n = number(node, "alarm_n");
     } else {
-      program.expected = text(node, "expected");
+      program.expected = file_name(node, "expected");
       program.marks = marks(node);
     }
     for (const Node& item : list(node, "cases"))
@@ -149,6 +159,7 @@ class KitReader {
   void files(const Node& node, Kit& kit) const {
     read_.expect(node, Kind::table, "files");
     for (const auto& member : node.members) {
+      expect_file_name(member.at, member.name);
       const std::string& digest = read_.string(member.value, member.name);
       const std::string path = (folder_ / member.name).string();
       if (member.name != kAlarmForm && corpus::sha256_file(path) != digest)

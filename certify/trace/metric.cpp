@@ -75,17 +75,20 @@ std::optional<Part> Metric::part_near(const AxisPoint& a, const AxisPoint& b, co
     height += off * off;
   }
   height = std::sqrt(height);
-  if (height > limit.reach.linear) return std::nullopt;
+  // Every comparison here refuses what is no number.
+  if (!(height <= limit.reach.linear)) return std::nullopt;
   Part part;
   if (moves) {
     const double half = std::sqrt((limit.reach.linear - height) * (limit.reach.linear + height) / square);
+    if (!std::isfinite(foot) || !(half >= 0)) return std::nullopt;
     part = {std::max(0.0, foot - half), std::min(1.0, foot + half)};
   }
   for (const std::size_t axis : space_.rotary) {
     const double d = b[axis] - a[axis];
     const double off = p[axis] - a[axis];
+    if (!std::isfinite(d) || !std::isfinite(off)) return std::nullopt;
     if (std::fabs(d) <= still) {
-      if (std::fabs(off) > limit.reach.rotary) return std::nullopt;
+      if (!(std::fabs(off) <= limit.reach.rotary)) return std::nullopt;
       continue;
     }
     const auto [from, to] = std::minmax({(off - limit.reach.rotary) / d, (off + limit.reach.rotary) / d});
@@ -165,7 +168,11 @@ double Metric::closest(const AxisPoint& a, const AxisPoint& b, const AxisPoint& 
 }
 
 Distance Metric::outside(const AxisBox& box, const AxisPoint& p) const {
-  const auto off = [&](std::size_t axis) { return std::max({0.0, box.low[axis] - p[axis], p[axis] - box.high[axis]}); };
+  const auto off = [&](std::size_t axis) {
+    if (p[axis] >= box.low[axis] && p[axis] <= box.high[axis]) return 0.0;
+    if (p[axis] < box.low[axis]) return box.low[axis] - p[axis];
+    return p[axis] > box.high[axis] ? p[axis] - box.high[axis] : std::numeric_limits<double>::infinity();
+  };
   double square = 0;
   for (const std::size_t axis : space_.linear) square += off(axis) * off(axis);
   Distance distance{std::sqrt(square), 0};

@@ -47,7 +47,7 @@ class Metric {
   // What a distance between positions of that magnitude may have been rounded.
   [[nodiscard]] static double rounding(double magnitude);
   [[nodiscard]] bool exceeds(const Distance& d, const Limit& limit) const {
-    return d.linear > limit.reach.linear || d.rotary > limit.reach.rotary;
+    return !(d.linear <= limit.reach.linear && d.rotary <= limit.reach.rotary);  // what is no number exceeds
   }
 
   // The part of the line from `a` to `b` near `p`. Where the whole line moves less than coordinates are rounded, all of

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "spec/language/input_error.h"
+#include "spec/language/printable.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -214,6 +215,9 @@ bool Recording::next(RecordedSample& sample) {
     if (index == columns_.size()) fail(at, "more values than columns");
     const Column& column = columns_[index++];
     const double value = number(field, at) * column.scale;
+    if (!(std::fabs(value) <= (column.index == kTime ? kLatest : kFarthest)))
+      fail(at, spec::printable(field) +
+                   (column.index == kTime ? " is beyond 1e12 s" : " is beyond 1e9: no axis gets there"));
     if (column.index == kTime)
       take_time(sample, value, column.scale, field, at);
     else

@@ -10,6 +10,10 @@
 
 namespace toolcomp::certify {
 
+// No axis is longer, and squares of such lengths are finite with room to spare. A recording beyond it is none.
+inline constexpr double kFarthest = 1e9;  // setup units, degrees
+inline constexpr double kLatest = 1e12;   // seconds
+
 struct RecordedSample {
   std::uint64_t line = 0;  // of the file, from 1
   AxisPoint at{};          // in the units of the source; degrees

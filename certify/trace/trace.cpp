@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "certify/trace/trace.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -78,6 +80,9 @@ void match(SampleSource& samples, PathSource& path, const Metric& metric, const 
   RecordedSample sample;
   std::optional<double> time;
   while (samples.next(sample)) {
+    for (const std::size_t axis : samples.recorded())
+      if (!(std::fabs(sample.at[axis]) <= kFarthest))
+        throw spec::InputError("recording", sample.line, 0, "a position that is no number, or beyond 1e9");
     matcher.take(sample.at, sample.line);
     if (options.pictures) result.deviations.take(sample.at, matcher.place(result.deviations.keeps_next()));
     kept.take(sample);
@@ -129,6 +134,8 @@ TraceResult judge_trace(const spec::Case& c, SampleSource& samples, const TraceO
   Kept kept{{samples.recorded(), samples.has_time(), {}}};
   match(samples, path, metric, c.setup.axes, options, result, kept);
   result.undecided = path.undecided();
+  if (result.undecided.empty() && result.findings_total == 0 && result.samples > 0 && result.samples < result.corners)
+    result.undecided = fmt::format("{} samples cannot have covered {} corners", result.samples, result.corners);
   if (options.pictures) result.course = course(c, metric, path_options, result.deviations);
   if (!result.undecided.empty()) {
     // Nobody knows what the rest of the recording should be.

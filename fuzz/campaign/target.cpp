@@ -15,7 +15,8 @@ std::vector<Target> all() {
       std::string seeds = std::string(section.substr(0, section.find('/') + 1)) + name;
       list.push_back({std::move(name), std::string(section), mode, std::move(seeds)});
     }
-  for (const char* const seeds : {"fanuc/read_program", "heidenhain/read_klartext", "read_case", "read_setup"}) {
+  for (const char* const seeds :
+       {"fanuc/read_program", "heidenhain/read_klartext", "read_case", "read_setup", "read_outside"}) {
     const std::string folder = seeds;
     const std::size_t slash = folder.find('/');
     list.push_back({slash == std::string::npos ? folder : folder.substr(slash + 1), "", Mode::unrestricted, folder});

@@ -402,7 +402,7 @@ class Comparison {
   // A number that is granted that much.
   void count(double granted_um) {
     tally_.widths.add(granted_um, scale_.pose.hardly || has_vector());
-    if (granted_um > rules_.cap_um()) {
+    if (!(granted_um <= rules_.cap_um())) {
       ++tally_.wide;
     } else {
       ++tally_.values;
@@ -512,7 +512,7 @@ bool Rules::is_near_tie(const model::Decision& decision, double band, const Posi
     band = std::max(
         {band, std::min(band * positions.at(decision.line), policy::kWidestBand), positions.deviation(decision.line)});
   if (!rounds() && policy::is_square(decision.clause)) band *= band;
-  if (is_beyond(decision, band) || margin(decision) > band) return false;
+  if (is_beyond(decision, band) || !(margin(decision) <= band)) return false;
   const bool scale_is_one = decision.scale.is_rational() && decision.scale.rational() == 1;
   if (rounds() || !policy::compares_exactly(decision.clause, scale_is_one)) return true;
   if (!decision.quantity.is_rational() || decision.quantity.rational() != 0 || !decision.scale.is_rational())

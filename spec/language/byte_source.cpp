@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "spec/language/byte_source.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <system_error>
 
 #include "spec/language/input_error.h"
@@ -40,10 +45,23 @@ class TextSource final : public ByteSource {
   throw InputError(display_name(path), 0, 0, "cannot be read: " + std::generic_category().message(errno));
 }
 
+// A plain file, or what this process was given open already: a device or a pipe of that name may never end, or wait for
+// a writer for ever.
+std::FILE* opened(const std::string& path) {
+  const bool given = path == "/dev/stdin" || path.starts_with("/dev/fd/");
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | (given ? 0 : O_NONBLOCK));
+  if (descriptor < 0) cannot_be_read(path);
+  struct stat what{};
+  if (::fstat(descriptor, &what) == 0 && !given && !S_ISREG(what.st_mode) && !S_ISDIR(what.st_mode)) {
+    ::close(descriptor);
+    throw InputError(path, 0, 0, "cannot be read: it is no plain file; - reads standard input");
+  }
+  return ::fdopen(descriptor, "rb");
+}
+
 class FileSource final : public ByteSource {
  public:
-  explicit FileSource(const std::string& path)
-      : path_(path), file_(path == "-" ? stdin : std::fopen(path.c_str(), "rb")) {
+  explicit FileSource(const std::string& path) : path_(path), file_(path == "-" ? stdin : opened(path)) {
     if (file_ == nullptr) cannot_be_read(path_);
   }
   FileSource(const FileSource&) = delete;
@@ -70,6 +88,12 @@ class FileSource final : public ByteSource {
 std::unique_ptr<ByteSource> stream_source(std::istream& stream) { return std::make_unique<StreamSource>(stream); }
 std::unique_ptr<ByteSource> text_source(std::string_view text) { return std::make_unique<TextSource>(text); }
 std::unique_ptr<ByteSource> file_source(const std::string& path) { return std::make_unique<FileSource>(path); }
+
+void expect_plain_file(const std::string& path) {
+  FileSource source(path);
+  std::array<char, 1> byte{};
+  source.read(byte.data(), byte.size());  // a folder opens, and cannot be read
+}
 
 std::string read_file(const std::string& path, std::size_t limit) {
   FileSource source(path);

@@ -28,6 +28,9 @@ std::unique_ptr<ByteSource> text_source(std::string_view text);
 // The file of this name, or standard input for "-". Throws InputError where it cannot be opened or, later, read.
 std::unique_ptr<ByteSource> file_source(const std::string& path);
 
+// Throws InputError where this is no plain file that can be read: a device or a pipe may never end.
+void expect_plain_file(const std::string& path);
+
 // The whole of a file, or of standard input for "-". Throws InputError where it cannot be read or is longer than
 // `limit` bytes.
 std::string read_file(const std::string& path, std::size_t limit = std::size_t{1} << 30);

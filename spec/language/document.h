@@ -43,8 +43,11 @@ struct Member {
   Node value;
 };
 
-// Both throw InputError with the position of the fault, also for nesting deeper than kMaxDepth.
+// Both throw InputError with the position of the fault, also for nesting deeper than kMaxDepth, and for more values
+// than an answer of the longest length has.
 inline constexpr int kMaxDepth = 64;
+inline constexpr std::size_t kMaxValues = 5'000'000;
+inline constexpr std::size_t kLongestToml = std::size_t{1} << 24;
 Node parse_json(std::string_view text, const std::string& file);
 Node parse_toml(std::string_view text, const std::string& file);
 

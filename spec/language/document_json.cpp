@@ -49,6 +49,7 @@ class Parser {
 
   Node value(int depth) {
     if (depth > kMaxDepth) fail("nested too deep");
+    if (++values_ > kMaxValues) fail("more than " + std::to_string(kMaxValues) + " values");
     blanks();
     Node node;
     node.at = position();
@@ -259,6 +260,7 @@ class Parser {
   std::size_t at_ = 0;
   std::uint64_t line_ = 1;
   std::size_t line_start_ = 0;
+  std::size_t values_ = 0;
 };
 
 }  // namespace

@@ -34,8 +34,10 @@ class Converter {
   [[nodiscard]] Position position(const toml::source_position& at) const {
     if (at.line == 0 || at.line > lines_.size()) return {lines_.size(), 1};
     const std::string_view line = lines_[at.line - 1];
-    std::size_t byte = 0;
-    for (toml::source_index column = 1; column < at.column && byte < line.size(); ++column) {
+    // Nodes come mostly in the order of the text: a long line is gone through once.
+    if (at.line != last_.line || at.column < last_.column) last_ = {at.line, 1, 0};
+    std::size_t& byte = last_.byte;
+    for (toml::source_index& column = last_.column; column < at.column && byte < line.size(); ++column) {
       ++byte;
       while (byte < line.size() && (static_cast<unsigned char>(line[byte]) & 0xC0U) == 0x80U) ++byte;
     }
@@ -91,13 +93,23 @@ class Converter {
   }
 
  private:
+  // Of the last position asked for.
+  struct Last {
+    toml::source_index line = 0;
+    toml::source_index column = 1;
+    std::size_t byte = 0;
+  };
+
   const std::string& file_;
   std::vector<std::string_view> lines_;
+  mutable Last last_;
 };
 
 }  // namespace
 
 Node parse_toml(std::string_view text, const std::string& file) {
+  if (text.size() > kLongestToml)
+    throw InputError(file, 0, 0, "is longer than " + std::to_string(kLongestToml) + " bytes");
   const Converter converter(text, file);
   converter.check_lines();
   try {

@@ -7,8 +7,9 @@
 
 namespace toolcomp::spec {
 
-// Writes beside `path` and renames, so that a reader sees the old file or the whole new one. Makes the folder. Throws
-// std::runtime_error naming the file; nothing is left behind then.
+// Writes beside `path` and renames, so that a reader sees the old file or the whole new one. Makes the folder. A link
+// is replaced, not followed; what is no plain file (a device, a folder) is refused. Throws InputError naming the file
+// and why; nothing is left then.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace toolcomp::spec

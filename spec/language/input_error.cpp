@@ -3,14 +3,19 @@
 
 #include <utility>
 
+#include "spec/language/printable.h"
+
 namespace toolcomp::spec {
 namespace {
 
+constexpr std::size_t kMost = 2000;
+
 std::string located(const std::string& file, std::uint64_t line, std::uint64_t column, const std::string& message) {
-  std::string text = file;
+  // Both may be quoted from what strangers wrote.
+  std::string text = printable(file);
   if (line != 0) text += ':' + std::to_string(line);
   if (line != 0 && column != 0) text += ':' + std::to_string(column);
-  return text + ": " + message;
+  return text + ": " + printable(message, kMost);
 }
 
 }  // namespace

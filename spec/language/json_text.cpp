@@ -4,6 +4,8 @@
 #include <array>
 #include <charconv>
 
+#include "spec/language/printable.h"
+
 namespace toolcomp::spec {
 
 std::size_t utf8_length(std::string_view text) {
@@ -29,6 +31,19 @@ std::size_t utf8_length(std::string_view text) {
   return 0;
 }
 
+namespace {
+
+// A character of two or three bytes as \uXXXX.
+void append_escaped(std::string& out, std::string_view character) {
+  constexpr std::string_view kHex = "0123456789abcdef";
+  unsigned code = static_cast<unsigned char>(character[0]) & (character.size() == 2 ? 0x1FU : 0x0FU);
+  for (const char c : character.substr(1)) code = code << 6U | (static_cast<unsigned char>(c) & 0x3FU);
+  out += "\\u";
+  for (const unsigned shift : {12U, 8U, 4U, 0U}) out += kHex[code >> shift & 15U];
+}
+
+}  // namespace
+
 void append_json_string(std::string& out, std::string_view text) {
   constexpr std::string_view kHex = "0123456789abcdef";
   out += '"';
@@ -51,7 +66,10 @@ void append_json_string(std::string& out, std::string_view text) {
     } else if (c < 0x80) {
       out += static_cast<char>(c);
     } else if (length = utf8_length(text); length != 0) {
-      out += text.substr(0, length);
+      if (shown_length(text) != 0)
+        out += text.substr(0, length);
+      else
+        append_escaped(out, text.substr(0, length));
     } else {
       out += "\xEF\xBF\xBD";
       length = 1;

@@ -14,7 +14,8 @@ namespace toolcomp::spec {
 // The length of the UTF-8 character that `text` begins with; 0 where it begins with none (RFC 3629).
 std::size_t utf8_length(std::string_view text);
 
-// Appends `text` in double quotes. Bytes that are not UTF-8, which JSON cannot carry, become U+FFFD.
+// Appends `text` in double quotes. Bytes that are not UTF-8, which JSON cannot carry, become U+FFFD; what a
+// terminal would obey (printable.h) is escaped.
 void append_json_string(std::string& out, std::string_view text);
 
 // To a std::string or TextCursor.

@@ -82,8 +82,8 @@ TEST_P(Faults, AreFound) {
     const json finding = json::parse(toolcomp::test::read(entry.path()));
     EXPECT_FALSE(finding.at("clause").get<std::string>().empty());
     if (count++ == 0) {
-      EXPECT_EQ(toolcomp("replay " + entry.path().string()).status, 1);
-      EXPECT_EQ(toolcomp("replay " + entry.path().string() + " --controller '" + kServe + "'").status, 0)
+      EXPECT_EQ(toolcomp("replay --yes " + entry.path().string()).status, 1);
+      EXPECT_EQ(toolcomp("replay --yes " + entry.path().string() + " --controller '" + kServe + "'").status, 0)
           << "the engine itself is right";
     }
   }

@@ -121,7 +121,7 @@ TEST(ReplayOfEvidence, RunsTheControllerWhereItWasRun) {
   EXPECT_EQ(outcome.status, 1) << outcome.err;
   const std::vector<std::string> findings = files_in(folder.path("report/findings"));
   ASSERT_FALSE(findings.empty());
-  EXPECT_EQ(toolcomp("replay " + findings.front()).status, 1);
+  EXPECT_EQ(toolcomp("replay --yes " + findings.front()).status, 1);
 }
 
 }  // namespace

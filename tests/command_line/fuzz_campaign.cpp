@@ -104,10 +104,10 @@ class Fuzz : public testing::TestWithParam<bool> {
   void expect_one_finding(const Json& summary) const {
     ASSERT_EQ(summary["findings"].size(), 1U) << summary;
     const std::string file = summary["findings"][0]["folder"].get<std::string>() + "/finding.json";
-    const Outcome again = command(environment + kWithFaults + "replay " + file);
+    const Outcome again = command(environment + kWithFaults + "replay --yes " + file);
     EXPECT_EQ(again.status, 1) << file << again.out << again.err;
     const bool ours = Json::parse(read(file)).value("controller", "").empty();
-    EXPECT_EQ(toolcomp("replay " + file).status, ours ? 0 : 1) << file;
+    EXPECT_EQ(toolcomp("replay --yes " + file).status, ours ? 0 : 1) << file;
     ASSERT_EQ(entries(findings).size(), 1U);
     EXPECT_EQ(read(entries(findings)[0] / "finding.json"), read(file));
   }
@@ -135,7 +135,7 @@ TEST_P(Fuzz, AWrongControllerIsOneFindingThatAsksItAgain) {
       toolcomp(fuzz + " --runs 40 --json --controller '" + wrong + "'", "TMPDIR=" + temporary + " ");
   EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
   expect_one_finding(Json::parse(outcome.out));
-  const Outcome again = toolcomp("replay " + (entries(findings)[0] / "finding.json").string());
+  const Outcome again = toolcomp("replay --yes " + (entries(findings)[0] / "finding.json").string());
   EXPECT_NE(again.err.find("asked: " + wrong), std::string::npos) << again.err;
 }
 
@@ -241,8 +241,8 @@ TEST_F(Campaign, ManyHitsOfOneBugAreOneFinding) {
                             "The decision, exactly: "})
     EXPECT_NE(read(dossier / "finding.txt").find(words), std::string::npos) << words << read(dossier / "finding.txt");
   // With the fault it comes again, without it does not.
-  EXPECT_EQ(with_fault("g44_as_g43", "replay " + (dossier / "finding.json").string()).status, 1);
-  EXPECT_EQ(toolcomp("replay " + (dossier / "finding.json").string()).status, 0);
+  EXPECT_EQ(with_fault("g44_as_g43", "replay --yes " + (dossier / "finding.json").string()).status, 1);
+  EXPECT_EQ(toolcomp("replay --yes " + (dossier / "finding.json").string()).status, 0);
 }
 
 // Both miss a move of fanuc.length-offset.move-without-axis-word: the one of a lone G43, the other of a lone G49.

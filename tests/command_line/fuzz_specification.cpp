@@ -127,10 +127,10 @@ TEST_F(ThirdVoice, ItsFindingIsReplayed) {
   EXPECT_NE(story.find("voices    the model stands alone: fast engine and formal specification agree\n"),
             std::string::npos)
       << story;
-  const Outcome again = command(wrong + "replay " + folder_of_it + "/finding.json");
+  const Outcome again = command(wrong + "replay --yes " + folder_of_it + "/finding.json");
   EXPECT_EQ(again.status, 1) << again.out << again.err;
   EXPECT_NE(again.err.find("asked: spec\ndiffers, as in the finding"), std::string::npos) << again.err;
-  EXPECT_EQ(toolcomp("replay " + folder_of_it + "/finding.json").status, 0);
+  EXPECT_EQ(toolcomp("replay --yes " + folder_of_it + "/finding.json").status, 0);
 }
 
 }  // namespace

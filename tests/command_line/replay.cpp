@@ -61,7 +61,7 @@ TEST_F(Replay, AKlartextFindingComesBack) {
   const std::string wrong =
       "sh " + folder.write("wrong.sh", kServe + R"( | sed -u 's/"tool_center":{"X":-0.06/"tool_center":{"X":0.06/')");
   const std::string file = folder.write("finding.json", finding(kCase, wrong));
-  const Outcome outcome = toolcomp("replay " + file);
+  const Outcome outcome = toolcomp("replay --yes " + file);
   EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
   for (const char* words : {"finding.json:2: coordinate tool_center.X", "expected  -0.06\n", "actual    0.06\n",
                             "deviation 120 µm", "heidenhain."})
@@ -71,7 +71,7 @@ TEST_F(Replay, AKlartextFindingComesBack) {
   // Carriage returns between the members change nothing.
   std::string returns;
   for (const char c : finding(kCase, wrong)) returns += c == '\n' ? std::string("\r\n") : std::string(1, c);
-  EXPECT_EQ(toolcomp("replay " + folder.write("returns.json", returns)).status, 1);
+  EXPECT_EQ(toolcomp("replay --yes " + folder.write("returns.json", returns)).status, 1);
 }
 
 TEST_F(Replay, ControllersThatFail) {

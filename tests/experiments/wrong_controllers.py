@@ -105,7 +105,7 @@ def main():
             seconds = time.monotonic() - begun
             said = json.loads(pathlib.Path(folder, "certificate.json").read_text())
             files = [os.path.join(folder, said["findings"][group["findings"][0]]["file"]) for group in said["causes"]]
-            again = [subprocess.run([toolcomp, "replay", "--quiet", file], stdout=subprocess.DEVNULL,
+            again = [subprocess.run([toolcomp, "replay", "--yes", "--quiet", file], stdout=subprocess.DEVNULL,
                                     stderr=subprocess.DEVNULL).returncode for file in files]
             cases = sum(sum(section["cases"].values()) for section in said["sections"])
             settled = said.get("settling", {}).get("settled", "")

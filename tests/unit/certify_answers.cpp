@@ -22,7 +22,7 @@ std::string told(const std::string& error) {
 
 TEST(Answers, TellTheBeginningOfALongText) {
   EXPECT_EQ(told("no room"), "\"no room\"");
-  EXPECT_EQ(told("two\\nlines"), "\"two lines\"");
+  EXPECT_EQ(told("two\\nlines"), "\"two\xEF\xBF\xBDlines\"");
   EXPECT_EQ(told(std::string(80, 'a')), "\"" + std::string(80, 'a') + "\"");
   EXPECT_EQ(told(std::string(81, 'a')), "\"" + std::string(80, 'a') + "\"…");
 }
