@@ -2,6 +2,7 @@
 #include "certify/trace/matcher.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -202,6 +203,8 @@ void Matcher::end() {
       rest.left_low = left.low;
       rest.left_high = left.high;
     }
+    // No alignment has a cost that is a number: nothing is known to follow the path.
+    if (!std::isfinite(least)) rest.end = true;
     rest.to = last_.number;
     report_all(*best);
     if (run_.empty()) run_.add(last_);

@@ -54,7 +54,12 @@ double Metric::rounding(double magnitude) {
 Limit Metric::limit(const Distance& error, double magnitude) const {
   const double linear = tolerance_.linear + error.linear;
   const double rotary = tolerance_.rotary + error.rotary;
-  return {{linear + rounding(std::max(linear, magnitude)), rotary + rounding(std::max(rotary, magnitude))}, magnitude};
+  // What is no length grants nothing.
+  const auto reach = [magnitude](double tolerance) {
+    const double most = tolerance + rounding(std::max(tolerance, magnitude));
+    return std::isfinite(most) ? most : -1;
+  };
+  return {{reach(linear), reach(rotary)}, magnitude};
 }
 
 std::optional<Part> Metric::part_near(const AxisPoint& a, const AxisPoint& b, const AxisPoint& p,
@@ -80,7 +85,7 @@ std::optional<Part> Metric::part_near(const AxisPoint& a, const AxisPoint& b, co
   Part part;
   if (moves) {
     const double half = std::sqrt((limit.reach.linear - height) * (limit.reach.linear + height) / square);
-    if (!std::isfinite(foot) || !(half >= 0)) return std::nullopt;
+    if (!std::isfinite(foot) || !std::isfinite(half)) return std::nullopt;
     part = {std::max(0.0, foot - half), std::min(1.0, foot + half)};
   }
   for (const std::size_t axis : space_.rotary) {

@@ -450,7 +450,8 @@ class Comparison {
     if (distance == 0) return false;
     if (unit > 0) tally_.worst_ulp = std::max(tally_.worst_ulp, distance / unit);
     if (told_in_um) tally_.worst_um = std::max(tally_.worst_um, distance * rules_.um_per_unit());
-    if (distance <= k * unit + rounded_off(e, a, distance, measure)) return false;
+    const double rounded = rounded_off(e, a, distance, measure);
+    if (distance >= 0 && std::isfinite(rounded) && distance <= k * unit + rounded) return false;
     if (linear) difference_.deviation_um = distance * rules_.um_per_unit();
     return differ(std::string(kind), path.text(), fuzz::text(e), fuzz::text(a));
   }

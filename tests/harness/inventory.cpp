@@ -39,6 +39,9 @@ std::map<std::string, fs::path> targets_of_the_tree() {
       const fs::path folder = fs::relative(entry.path(), all).replace_extension();
       EXPECT_TRUE(names.emplace(entry.path().stem(), folder).second) << entry.path();
     }
+  // Its readers are of the room that knows them.
+  EXPECT_TRUE(fs::exists(root() / "certify/read_outside.cc"));
+  names.emplace("read_outside", "read_outside");
   return names;
 }
 
@@ -104,6 +107,7 @@ TEST(Inventory, CampaignsKnowEveryTarget) {
 TEST(Inventory, ShortRunsTakeEveryTarget) {
   const std::string script = contents(root() / "tests/fuzz_briefly");
   EXPECT_NE(script.find("find fuzz/targets -name '*.cpp'"), std::string::npos);
+  EXPECT_NE(script.find("echo read_outside"), std::string::npos);
 }
 
 }  // namespace

@@ -2,8 +2,12 @@
 // Answers and recordings that are wrong, judged with one intermediate of the judges after another made NaN or an
 // infinity: none of them may be certified. Linked by poison.py with judges in which that can be done.
 #include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <limits>
 #include <map>
@@ -100,6 +104,26 @@ bool asked(const Question& question) {
   }
 }
 
+bool certified_at(int place, const std::vector<const Question*>& list) {
+  const rlimit seconds{20, 20};
+  const rlimit bytes{rlim_t{3} << 30, rlim_t{3} << 30};
+  ::setrlimit(RLIMIT_CPU, &seconds);
+  ::setrlimit(RLIMIT_AS, &bytes);
+  for (const double value : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+                             -std::numeric_limits<double>::infinity()})
+    for (const Question* question : list) {
+      poison::chosen = place;
+      poison::instead = value;
+      const bool certified = asked(*question);
+      poison::chosen = -1;
+      if (!certified) continue;
+      fmt::print("place {} as {}: certified {}\n", place, value, question->name);
+      fflush(stdout);
+      return true;
+    }
+  return false;
+}
+
 }  // namespace
 
 int main() {
@@ -119,18 +143,22 @@ int main() {
   }
   poison::reached = nullptr;
   int bad = 0;
-  for (const auto& [place, list] : questions)
-    for (const double value : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
-                               -std::numeric_limits<double>::infinity()})
-      for (const Question* question : list) {
-        poison::chosen = place;
-        poison::instead = value;
-        if (asked(*question)) {
-          fmt::print("place {} as {}: certified {}\n", place, value, question->name);
-          ++bad;
-        }
-        poison::chosen = -1;
-      }
-  fmt::print("{} places reached, {} wrong answers and recordings, {} certified\n", questions.size(), wrong.size(), bad);
+  int ended = 0;
+  for (const auto& [place, list] : questions) {
+    // Each place in a process of its own: with such a number a judge may think for ever, or fill the memory.
+    fflush(stdout);
+    const pid_t child = ::fork();
+    if (child == 0) ::_exit(certified_at(place, list) ? 1 : 0);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    if (WIFEXITED(status))
+      bad += WEXITSTATUS(status) == 1 ? 1 : 0;
+    else
+      ++ended, fmt::print("place {} ended by signal {}\n", place, WTERMSIG(status));
+  }
+  fmt::print(
+      "{} places reached, {} wrong answers and recordings; at {} places one was certified, at {} the judge did not "
+      "end\n",
+      questions.size(), wrong.size(), bad, ended);
   return bad == 0 && questions.size() >= 60 ? 0 : 1;
 }
