@@ -18,7 +18,7 @@
 namespace toolcomp::certify {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 constexpr const char* kFile = "capabilities";
 
@@ -222,7 +222,6 @@ Capabilities read_capabilities(std::string_view line) {
 }
 
 std::string write_capabilities(const Capabilities& capabilities) {
-  using Json = nlohmann::ordered_json;
   Json json;
   json["name"] = capabilities.name;
   json["version"] = capabilities.version;
