@@ -2,14 +2,9 @@
 #include "certify/controller.h"
 
 #include <algorithm>
-#include <array>
-#include <span>
 #include <utility>
 
-#include "certify/event_fields.h"
-#include "spec/language/case_format.h"
 #include "spec/language/input_error.h"
-#include "spec/language/printable.h"
 
 namespace toolcomp::certify {
 namespace {

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "certify/finding.h"
 
-#include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "spec/language/byte_source.h"
 #include "spec/language/case_document.h"
 #include "spec/language/case_format.h"
 #include "spec/language/input_error.h"

@@ -69,7 +69,7 @@ struct TraceResult {
   std::string not_recorded;            // axes that were not judged
   std::uint64_t findings_total = 0;
   std::vector<TraceFinding> findings;       // by sample
-  std::optional<std::string> cause;         // one mistake that explains all findings (causes/cause.h)
+  std::optional<std::string> cause;         // one mistake that explains all findings (certify/causes/recording_cause.h)
   Deviations deviations;                    // sample by sample, for pictures
   std::vector<AxisPoint> course;            // the exact path as far as a picture shows it
   std::vector<spec::Event<double>> events;  // of the exact run: the first ones, for a picture, and every alarm

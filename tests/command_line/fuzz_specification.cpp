@@ -69,7 +69,7 @@ TEST_F(ThirdVoice, HasWhatWorkersKeepAndAgrees) {
 TEST_F(ThirdVoice, MakesCasesWhileNothingWaits) {
   const auto makes_some = [&] {
     // The first slice is its own.
-    std::istringstream statistics(read(dir + "/work/00000001/statistics"));
+    std::istringstream statistics(read(fs::path(dir) / "work" / "00000001" / "statistics"));
     std::string name;
     std::int64_t executions = 0;
     statistics >> name >> executions;
