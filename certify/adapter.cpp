@@ -26,16 +26,11 @@ using spec::document::Reader;
 
 constexpr std::string_view kManifest = "manifest.toml";
 
-const Node& needed(const Reader& reader, const Node& table, std::string_view key) {
-  const Node* node = table.find(key);
-  if (node == nullptr) reader.fail(table.at, "\"" + std::string(key) + "\" is missing");
-  return *node;
-}
-
 // A path beside the manifest, of a file that is there.
 fs::path file_beside(const Reader& reader, const Node& node, std::string_view name, const fs::path& folder) {
   fs::path path = folder / reader.string(node, name);
-  if (!fs::is_regular_file(path)) reader.fail(node.at, std::string(name) + ": there is no file " + path.string());
+  std::error_code none;
+  if (!fs::is_regular_file(path, none)) reader.fail(node.at, std::string(name) + ": there is no file " + path.string());
   return path;
 }
 
@@ -44,15 +39,15 @@ std::vector<KnownDifference> read_known(const fs::path& file, const fs::path& fo
   const Node document = spec::document::parse_toml(spec::read_file(file.string()), file.string());
   reader.keys(document, "the file", {"difference"});
   std::vector<KnownDifference> known;
-  const Node& list = needed(reader, document, "difference");
+  const Node& list = reader.needed(document, "difference");
   reader.expect(list, Kind::array, "difference");
   for (const Node& node : list.items) {
     reader.keys(node, "a difference", {"id", "reason", "recognised", "program", "setup", "alarms"});
-    KnownDifference one{reader.string(needed(reader, node, "id"), "id"),
-                        reader.string(needed(reader, node, "reason"), "reason"),
-                        reader.string(needed(reader, node, "recognised"), "recognised"),
-                        reader.string(needed(reader, node, "program"), "program"),
-                        file_beside(reader, needed(reader, node, "setup"), "setup", folder),
+    KnownDifference one{reader.string(reader.needed(node, "id"), "id"),
+                        reader.string(reader.needed(node, "reason"), "reason"),
+                        reader.string(reader.needed(node, "recognised"), "recognised"),
+                        reader.string(reader.needed(node, "program"), "program"),
+                        file_beside(reader, reader.needed(node, "setup"), "setup", folder),
                         {}};
     if (const Node* alarms = node.find("alarms")) one.alarms = reader.strings(*alarms, "alarms");
     if (std::ranges::any_of(known, [&](const KnownDifference& k) { return k.id == one.id; }))
@@ -82,11 +77,11 @@ Adapter read_adapter(const Reader& reader, const Node& node, const fs::path& fol
               {"name", "kind", "command", "packages", "programs", "tolerance", "setups", "known_differences"});
   Adapter adapter;
   adapter.folder = folder;
-  const Node& name = needed(reader, node, "name");
+  const Node& name = reader.needed(node, "name");
   adapter.name = reader.string(name, "name");
   if (!is_adapter_name(adapter.name)) reader.fail(name.at, "name: lower case letters, digits and hyphens are expected");
-  adapter.kind = static_cast<AdapterKind>(reader.choice(needed(reader, node, "kind"), "kind", {"pipe", "trace"}));
-  const Node& command = needed(reader, node, "command");
+  adapter.kind = static_cast<AdapterKind>(reader.choice(reader.needed(node, "kind"), "kind", {"pipe", "trace"}));
+  const Node& command = reader.needed(node, "command");
   adapter.command = reader.string(command, "command");
   if (adapter.command.empty()) reader.fail(command.at, "command: must not be empty");
   if (const Node* packages = node.find("packages")) adapter.packages = reader.strings(*packages, "packages");
@@ -94,10 +89,10 @@ Adapter read_adapter(const Reader& reader, const Node& node, const fs::path& fol
   if (const Node* known = node.find("known_differences"))
     adapter.known = read_known(file_beside(reader, *known, "known_differences", folder), folder);
   const bool trace = adapter.kind == AdapterKind::trace;
-  const Node* tolerance = trace ? &needed(reader, node, "tolerance") : node.find("tolerance");
+  const Node* tolerance = trace ? &reader.needed(node, "tolerance") : node.find("tolerance");
   if (!trace && tolerance != nullptr) reader.fail(tolerance->at, "tolerance: only of kind \"trace\"");
   if (trace) adapter.tolerance = read_tolerance(reader, *tolerance);
-  if (const Node* setups = trace ? &needed(reader, node, "setups") : node.find("setups"))
+  if (const Node* setups = trace ? &reader.needed(node, "setups") : node.find("setups"))
     adapter.setups = read_setups(reader, *setups, folder);
   return adapter;
 }
@@ -129,11 +124,13 @@ const KnownDifference* Adapter::without_alarm(std::string_view number) const {
   return found == known.end() ? nullptr : &*found;
 }
 
-std::vector<Adapter> read_manifest(const fs::path& file) {
+std::vector<Adapter> read_manifest(const fs::path& file) { return read_manifest(spec::read_file(file.string()), file); }
+
+std::vector<Adapter> read_manifest(std::string_view text, const fs::path& file) {
   const Reader reader(file.string());
-  const Node document = spec::document::parse_toml(spec::read_file(file.string()), file.string());
+  const Node document = spec::document::parse_toml(text, file.string());
   reader.keys(document, "the manifest", {"adapter"});
-  const Node& list = needed(reader, document, "adapter");
+  const Node& list = reader.needed(document, "adapter");
   reader.expect(list, Kind::array, "adapter");
   std::vector<Adapter> adapters;
   std::set<std::string> names;

@@ -49,6 +49,8 @@ struct Adapter {
 // manifest: unknown and missing keys, wrong types, two adapters or known differences of one name, files that are not
 // there.
 std::vector<Adapter> read_manifest(const std::filesystem::path& file);
+// The same of a text that stands, or would stand, in `file`.
+std::vector<Adapter> read_manifest(std::string_view text, const std::filesystem::path& file);
 
 // Folders whose subfolders are adapters, in the order in which they are searched: `named`, those of the environment
 // variable TOOLCOMP_ADAPTERS (separated by colons), adapters/ in the share folder beside an installed command,

@@ -244,10 +244,10 @@ void write_report(const AdapterCampaign& campaign, const AdapterCertificate& cer
     write_report(trace, run.folder / "report");
   }
   const std::filesystem::path folder = campaign.report;
-  spec::write_file(folder / "certificate.json", json_report(campaign, certificate));
-  spec::write_file(folder / "junit.xml", junit_report(certificate));
-  spec::write_file(folder / "certificate.sarif", sarif_report(certificate));
-  spec::write_file(folder / "index.html", html_report(campaign, certificate));
+  spec::write_files({{folder / "certificate.json", json_report(campaign, certificate)},
+                     {folder / "junit.xml", junit_report(certificate)},
+                     {folder / "certificate.sarif", sarif_report(certificate)},
+                     {folder / "index.html", html_report(campaign, certificate)}});
 }
 
 }  // namespace toolcomp::certify

@@ -203,7 +203,11 @@ bool lists(const std::vector<std::string>& list, std::string_view item) {
 }  // namespace
 
 Capabilities read_capabilities(std::string_view line) {
-  const Json json = spec::read_outside_json(line, kFile);
+  return capabilities_from(spec::read_outside_json(line, kFile));
+}
+
+Capabilities capabilities_from(const nlohmann::json& tree) {
+  const Json json = tree;
   if (!json.is_object()) fail("the answer to hello is no JSON object");
   const auto protocol = json.find("protocol");
   if (protocol == json.end() || *protocol != 1) fail("the answer to hello does not say \"protocol\": 1");

@@ -2,6 +2,7 @@
 // What a controller says about itself, and whether a case applies to it.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,8 @@ struct Capabilities {
 // resolution that is one decimal r is r mm, r degrees, r of unit vectors and r/10 inches; of a controller that has
 // inches alone, r inches.
 Capabilities read_capabilities(std::string_view line);
+// The same of a tree.
+Capabilities capabilities_from(const nlohmann::json& tree);
 // The answer as one line without a line feed.
 std::string write_capabilities(const Capabilities& capabilities);
 

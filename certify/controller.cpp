@@ -106,6 +106,7 @@ Answer Controller::run(const spec::Case& c, std::optional<std::chrono::milliseco
   if (auto failure = start(timeout)) return failed(std::move(*failure));
   auto reply = exchange(request_line(c), timeout);
   if (auto* failure = std::get_if<Fault>(&reply)) return failed(std::move(*failure));
+  ++answers_;
   Answer answer = read_answer(*capabilities_, c, std::move(std::get<std::string>(reply)));
   if (auto* failure = std::get_if<Fault>(&answer.result)) {
     // A process that answers in step goes on, whatever it says.

@@ -32,6 +32,7 @@ class Controller final : public Subject {
   Answer run(const spec::Case& c, std::optional<std::chrono::milliseconds> patience = {}) override;
 
   [[nodiscard]] std::chrono::milliseconds slowest() const override { return slowest_; }
+  [[nodiscard]] std::uint64_t answers() const override { return answers_; }
   [[nodiscard]] std::uint64_t starts() const override { return starts_; }
   void restart() override;
   [[nodiscard]] std::string errors() const override { return process_ ? process_->errors() : std::string(); }
@@ -53,6 +54,7 @@ class Controller final : public Subject {
   std::string hello_;                         // the same as it came
   std::chrono::milliseconds slowest_{0};
   int exit_status_ = -1;
+  std::uint64_t answers_ = 0;
   std::uint64_t starts_ = 0;
   std::string chatter_;               // the first
   std::string last_chatter_;          // the last since the request

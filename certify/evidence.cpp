@@ -76,6 +76,10 @@ class Evidence {
   // An engine in this process has no memory and no moods.
   [[nodiscard]] bool has_moods() const { return subject_.starts() > 0; }
   [[nodiscard]] bool is_waited_for() const { return !is_known() || key_.kind == name(FaultKind::hang); }
+  // It never answered a case: no program is to blame, and each try costs the whole time-out.
+  [[nodiscard]] bool answers_nothing() const {
+    return !is_known() || (is_waited_for() && has_moods() && subject_.answers() == 0);
+  }
   [[nodiscard]] std::uint64_t tries() const {
     return !has_moods() ? 1 : is_waited_for() ? kTriesOfWaits : is_fault(key_) ? kTriesOfFaults : kTries;
   }
@@ -219,8 +223,7 @@ class Evidence {
     const std::uint64_t begun = subject_.starts();
     const auto given_up = [&] { return stopped() || (!way.fresh && subject_.starts() - begun >= kMostRestarts); };
     const auto still_fails = [&](const spec::Case& c) {
-      // Without a hello no program is to blame.
-      if (!is_known()) return !stopped() && candidate(c).has_value();
+      if (answers_nothing()) return !stopped() && candidate(c).has_value();
       return !given_up() && comes(way, c, patience_);
     };
     const Witness whole = last_;
@@ -247,6 +250,7 @@ class Evidence {
     finding_.first_case = shrunk.first_case;
     finding_.runs = shrunk.runs;
     finding_.complete = shrunk.complete;
+    if (is_known() && answers_nothing()) finding_.actual += ", nor to any other request: it does not answer";
     if (finding_.errors.empty()) finding_.errors = subject_.errors();
   }
 

@@ -39,6 +39,9 @@ class KeptText final : public spec::ByteSource {
   std::string& text_;
 };
 
+// All that is said of them is in memory at once.
+constexpr std::size_t kMostBlocks = 200'000;
+
 // Both engines over one program, and the text of its blocks.
 class BothRuns {
  public:
@@ -77,7 +80,10 @@ class BothRuns {
         Control::reader(std::make_unique<KeptText>(text.open(), read), setup_, text.name, text.called_program);
     typename Control::Block block;
     try {
-      while (!model.stopped() && reader.next(block)) {
+      for (std::size_t read_so_far = 0; !model.stopped() && reader.next(block);) {
+        if (++read_so_far > kMostBlocks)
+          throw spec::InputError(text.name, block.line, 1,
+                                 fmt::format("more than {} blocks cannot be explained at once", kMostBlocks));
         add(block);
         model.block(block);
         fast.block(block);

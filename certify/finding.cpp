@@ -107,9 +107,7 @@ Finding read_finding(std::string_view text, const std::string& file) {
              "tool",         "first_case", "occurrences", "seen",       "tried",      "before",       "case",
              "target",       "executions", "seconds",     "alone",      "not_settled"});
   (void)read.integer(*root.find("finding"), "finding", 1, 1);
-  const Node* c = root.find("case");
-  if (c == nullptr) read.fail(root.at, "a finding needs a case");
-  finding.smallest = spec::case_from(*c, read);
+  finding.smallest = spec::case_from(read.needed(root, "case"), read);
   finding.key = {finding.smallest.section, text_of(root, "clause", read), text_of(root, "kind", read)};
   finding.line = count_of(root, "line", read, 0);
   finding.field = text_of(root, "field", read);
@@ -123,7 +121,7 @@ Finding read_finding(std::string_view text, const std::string& file) {
   finding.directory = text_of(root, "directory", read);
   if (const Node* capabilities = given(root, "capabilities")) {
     read.expect(*capabilities, Kind::table, "capabilities");
-    finding.subject = read_capabilities(spec::read_outside_json(text, file).at("capabilities").dump());
+    finding.subject = capabilities_from(spec::tree_of(*capabilities, read));
   }
   finding.seed = text_of(root, "seed", read);
   finding.target = text_of(root, "target", read);

@@ -131,6 +131,7 @@ class Attributes {
     sigaddset(&set, SIGPIPE);
     sigaddset(&set, SIGINT);
     sigaddset(&set, SIGTERM);
+    sigaddset(&set, SIGXFSZ);
     posix_spawnattr_setsigdefault(&attributes_, &set);
     posix_spawnattr_setflags(
         &attributes_, static_cast<short>(POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF));

@@ -5,11 +5,12 @@
 #include <string>
 #include <string_view>
 
+#include "certify/adapter.h"
 #include "certify/answer.h"
 #include "certify/bundle/manifest.h"
-#include "certify/bundle/refused.h"
 #include "certify/capabilities.h"
 #include "certify/finding.h"
+#include "certify/kit/kit_json.h"
 #include "certify/trace/recording.h"
 #include "certify/trace/samples.h"
 #include "fuzz/targets/worker.h"
@@ -54,6 +55,19 @@ void read_finding(std::string_view text) {
   require(certify::read_finding(certify::write_finding(finding), "again").smallest.program == finding.smallest.program);
 }
 
+void read_kit(std::string_view text) {
+  const certify::kit::Kit kit = certify::kit::read_kit_json(text, "kit.json");
+  for (const certify::kit::KitProgram& program : kit.programs) require(program.group < kit.groups.size());
+  for (const auto& [name, digest] : kit.files) require(!name.starts_with('/') && name.find("..") == std::string::npos);
+}
+
+void read_adapters(std::string_view text) {
+  for (const certify::Adapter& adapter : certify::read_manifest(text, "/nowhere/manifest.toml")) {
+    require(certify::is_adapter_name(adapter.name));
+    require(adapter.kind != certify::AdapterKind::trace || adapter.tolerance > 0);
+  }
+}
+
 void hold(std::string_view text) {
   if (text.empty()) return;
   const std::string_view rest = text.substr(1);
@@ -65,6 +79,10 @@ void hold(std::string_view text) {
         return read_finding(rest);
       case 'h':
         return read_hello(rest);
+      case 'k':
+        return read_kit(rest);
+      case 'p':
+        return read_adapters(rest);
       case 'm':
         return void(certify::bundle::read_manifest(rest));
       case 't':
@@ -74,7 +92,6 @@ void hold(std::string_view text) {
     }
   } catch (const spec::InputError& error) {
     require_shown(error.what());
-  } catch (const certify::bundle::Refused&) {  // NOLINT(bugprone-empty-catch): it says why to whoever verifies
   }
 }
 

@@ -6,9 +6,13 @@
 #include "certify/event_fields.h"
 #include "certify/evidence.h"
 #include "spec/language/byte_source.h"
+#include "spec/language/input_error.h"
 
 namespace toolcomp::certify {
 namespace {
+
+// Of a program: all its events are in memory at once.
+constexpr std::size_t kMostLines = 1'000'000;
 
 // Whether the field of the finding is announced and not in the answer.
 bool is_never_sent(const Finding& finding, const Capabilities& able, const Answer& answer) {
@@ -59,6 +63,9 @@ Replay replay(const std::filesystem::path& file, const ReplayOptions& options) {
   Replay result;
   result.finding = read_finding(spec::read_file(file), file.string());
   const spec::Case& c = result.finding.smallest;
+  if (static_cast<std::size_t>(std::ranges::count(c.program, '\n')) > kMostLines)
+    throw spec::InputError(file.string(), 0, 0,
+                           "program: has more than " + std::to_string(kMostLines) + " lines, which no finding has");
   const fuzz::ModelRun run = fuzz::run_model(c);
   result.asked = options.controller.value_or(command_of(result.finding));
   const bool theirs = !options.controller && !result.asked.empty() && result.asked != kFormalSpecification;

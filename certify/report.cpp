@@ -122,7 +122,7 @@ junit::Suite suite_of(const Certificate& c, const SectionResult& s) {
 
 }  // namespace
 
-void remove_findings(const std::filesystem::path& report) {
+void remove_findings(const std::filesystem::path& report, const std::vector<spec::FileText>& but) {
   const std::filesystem::path folder = report / "findings";
   if (!std::filesystem::is_directory(folder)) return;
   std::vector<std::filesystem::path> old;
@@ -130,7 +130,8 @@ void remove_findings(const std::filesystem::path& report) {
     const std::string file = entry.path().filename().string();
     const bool ours = file.size() > 3 && file[0] >= '0' && file[0] <= '9' && file[1] >= '0' && file[1] <= '9' &&
                       file.ends_with(".json");
-    if (ours) old.push_back(entry.path());
+    const bool stays = std::ranges::find(but, entry.path(), &spec::FileText::first) != but.end();
+    if (ours && !stays) old.push_back(entry.path());
   }
   for (const auto& path : old) std::filesystem::remove(path);
 }
@@ -245,16 +246,17 @@ std::string junit_report(const Certificate& c) {
 }
 
 std::vector<std::filesystem::path> write_report(const Certificate& c, const std::filesystem::path& folder) {
-  remove_findings(folder);
+  std::vector<spec::FileText> files{{folder / "certificate.json", json_report(c)},
+                                    {folder / "junit.xml", junit_report(c)},
+                                    {folder / "certificate.sarif", sarif_report(c)},
+                                    {folder / "index.html", html_report(c)}};
   std::vector<std::filesystem::path> paths;
   for (std::size_t i = 0; i < c.findings.size(); ++i) {
     paths.push_back(folder / "findings" / file_name(c.findings[i], i));
-    spec::write_file(paths.back(), write_finding(c.findings[i]));
+    files.emplace_back(paths.back(), write_finding(c.findings[i]));
   }
-  spec::write_file(folder / "certificate.json", json_report(c));
-  spec::write_file(folder / "junit.xml", junit_report(c));
-  spec::write_file(folder / "certificate.sarif", sarif_report(c));
-  spec::write_file(folder / "index.html", html_report(c));
+  spec::write_files(files);
+  remove_findings(folder, files);
   return paths;
 }
 
@@ -336,11 +338,11 @@ std::string junit_report(const TraceReport& report) {
 }
 
 void write_report(const TraceReport& report, const std::filesystem::path& folder) {
+  spec::write_files({{folder / "certificate.json", json_report(report)},
+                     {folder / "junit.xml", junit_report(report)},
+                     {folder / "certificate.sarif", sarif_report(report)},
+                     {folder / "index.html", html_report(report)}});
   remove_findings(folder);
-  spec::write_file(folder / "certificate.json", json_report(report));
-  spec::write_file(folder / "junit.xml", junit_report(report));
-  spec::write_file(folder / "certificate.sarif", sarif_report(report));
-  spec::write_file(folder / "index.html", html_report(report));
 }
 
 }  // namespace toolcomp::certify

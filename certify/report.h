@@ -9,6 +9,7 @@
 #include "certify/certificate.h"
 #include "certify/path_svg.h"
 #include "certify/trace/trace.h"
+#include "spec/language/file_writer.h"
 
 namespace toolcomp::certify {
 
@@ -27,8 +28,8 @@ std::string sarif_report(const Certificate& certificate);
 // cannot be written.
 std::vector<std::filesystem::path> write_report(const Certificate& certificate, const std::filesystem::path& folder);
 
-// The findings of a report that stands in the folder.
-void remove_findings(const std::filesystem::path& report);
+// The findings of a report that stands in the folder, but these.
+void remove_findings(const std::filesystem::path& report, const std::vector<spec::FileText>& but = {});
 
 // The same for a trace of program `c`, recorded in `file`.
 struct TraceReport {

@@ -74,6 +74,8 @@ class Subject {
   [[nodiscard]] virtual bool is_fast_engine() const { return false; }
   // The longest time an answer took so far.
   [[nodiscard]] virtual std::chrono::milliseconds slowest() const { return std::chrono::milliseconds(0); }
+  // Cases it has answered so far, rightly or wrongly.
+  [[nodiscard]] virtual std::uint64_t answers() const { return 0; }
   // Processes started so far: what one has been told, the next does not know. 0 for ever: there is none.
   [[nodiscard]] virtual std::uint64_t starts() const { return 0; }
   // The next request meets a fresh process.

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <optional>
 
+#include "certify/schema.h"
 #include "cli/manners.h"
 #include "cli/program.h"
 #include "cli/verbs.h"
@@ -34,11 +35,13 @@ int config_example(const std::string& control) {
 }
 
 int config_schema(const std::string& name) {
-  std::cout << (name == "case"     ? spec::case_schema()
-                : name == "event"  ? spec::event_schema()
-                : name == "hello"  ? spec::hello_schema()
-                : name == "answer" ? spec::answer_schema()
-                                   : spec::setup_schema());
+  std::cout << (name == "case"       ? spec::case_schema()
+                : name == "event"    ? spec::event_schema()
+                : name == "hello"    ? spec::hello_schema()
+                : name == "answer"   ? spec::answer_schema()
+                : name == "finding"  ? certify::finding_schema()
+                : name == "manifest" ? certify::manifest_schema()
+                                     : spec::setup_schema());
   return kAgrees;
 }
 

@@ -42,8 +42,9 @@ kit::Machine read_machine(const KitOptions& options) {
 
 // All files or none: what stands in the folder beside them would be taken for the kit's.
 void write_all(const kit::Kit& made, const fs::path& folder) {
-  for (const auto& [name, text] : made.files) spec::write_file(folder / name, text);
-  spec::write_file(folder / kit::kKitFile, kit::write_kit(made));
+  std::vector<spec::FileText> files{{folder / kit::kKitFile, kit::write_kit(made)}};
+  for (const auto& [name, text] : made.files) files.emplace_back(folder / name, text);
+  spec::write_files(files);
 }
 
 std::optional<spec::Decimal> tolerance_of(const std::string& text) {

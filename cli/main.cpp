@@ -5,6 +5,7 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <string>
 
 #include "cli/command_line.h"
@@ -23,6 +24,8 @@ int main(int argc, char** argv) {
   mallopt(M_MMAP_THRESHOLD, 1 << 25);
   mallopt(M_TRIM_THRESHOLD, 1 << 30);
   cli::keep_standard_streams();
+  // Beyond the limit of a file's size a write fails, and says so.
+  static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) static_cast<void>(std::signal(signal, cli::on_signal));
   try {
     cli::CommandLine command_line;
@@ -32,6 +35,9 @@ int main(int argc, char** argv) {
   } catch (const toolcomp::spec::InputError& error) {
     std::cout.flush();
     std::cerr << cli::painted_diagnostic(cli::in_characters(error).what()) << '\n';
+    return cli::kBadInput;
+  } catch (const std::bad_alloc&) {
+    std::cerr << "toolcomp: not enough memory for so much input\n";
     return cli::kBadInput;
   } catch (const std::exception& error) {
     // What formats text throws where it cannot be written.

@@ -154,8 +154,8 @@ void define_config(CommandLine& line) {
                             [value] { return config_example(*value); });
   choose(sub, "--control", *value, {"fanuc", "heidenhain"}, "fanuc (default) or heidenhain");
   sub = line.verb(family, "schema", "Print a JSON Schema", [value] { return config_schema(*value); });
-  choose(sub, "name", *value, {"setup", "case", "event", "hello", "answer"},
-         "setup (default), case, event, hello or answer");
+  choose(sub, "name", *value, {"setup", "case", "event", "hello", "answer", "finding", "manifest"},
+         "setup (default), case, event, hello, answer, finding, or manifest of a bundle");
   sub = line.verb(family, "check", "Read a setup or a case, and say whether it is valid",
                   [value] { return config_check(*value); });
   take(sub, "file", *value, "FILE", "The setup or case")->required();

@@ -40,7 +40,7 @@ bool begins_as_bundle(const fs::path& file) {
     ArchiveReader archive(file);
     static_cast<void>(read_manifest(read_first(archive)));
     return true;
-  } catch (const Refused&) {
+  } catch (const std::runtime_error&) {  // Refused, or spec::InputError
     return false;
   }
 }

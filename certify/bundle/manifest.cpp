@@ -3,9 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "certify/bundle/refused.h"
-#include "spec/language/input_error.h"
-#include "spec/language/outside_json.h"
+#include "spec/language/document.h"
 
 namespace toolcomp::certify::bundle {
 
@@ -25,30 +23,52 @@ std::string write_manifest(const Manifest& m) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+namespace {
+
+// More than any bundle has of anything.
+constexpr std::uint64_t kMostCounted = 1'000'000'000'000;
+
+using spec::document::Kind;
+using spec::document::Node;
+
+const std::vector<Node>& list_of(const spec::document::Reader& read, const Node& table, std::string_view key) {
+  read.expect(read.needed(table, key), Kind::array, key);
+  return read.needed(table, key).items;
+}
+
+}  // namespace
+
 Manifest read_manifest(std::string_view text) {
+  const Node root = spec::document::parse_json(text, std::string(kManifest));
+  const spec::document::Reader read((std::string(kManifest)));
+  const Node& format = read.needed(root, "evidence");
+  read.expect(format, Kind::number, "evidence");
+  if (format.text != std::to_string(kFormat))
+    read.fail(format.at, "is of format " + format.text + "; this toolcomp reads format " + std::to_string(kFormat));
+  read.keys(root, "the manifest",
+            {"evidence", "tool", "made", "command", "directory", "sections", "adapter", "interrupted", "cases",
+             "inputs", "files"});
+  const auto string = [&read](const Node& table, const char* key) { return read.string(read.needed(table, key), key); };
+  const auto strings = [&](const char* key) { return read.strings(read.needed(root, key), key); };
+  const auto count = [&read](const Node& table, const char* key) {
+    return read.integer(read.needed(table, key), key, 0, kMostCounted);
+  };
   Manifest m;
-  try {
-    const auto json = spec::read_outside_json(text, std::string(kManifest));
-    if (!json.at("evidence").is_number_integer() || json.at("evidence") != kFormat)
-      throw Refused("manifest.json: is of format " + json.at("evidence").dump() + "; this toolcomp reads format " +
-                    std::to_string(kFormat));
-    m.tool = json.at("tool").get<std::string>();
-    m.made = json.at("made").get<std::string>();
-    m.command = json.at("command").get<std::vector<std::string>>();
-    m.directory = json.at("directory").get<std::string>();
-    m.sections = json.at("sections").get<std::vector<std::string>>();
-    m.adapter = json.at("adapter").get<std::string>();
-    m.interrupted = json.at("interrupted").get<std::string>();
-    m.cases = json.at("cases").get<std::uint64_t>();
-    for (const auto& input : json.at("inputs"))
-      m.inputs.push_back({input.at("given").get<std::string>(), input.at("file").get<std::string>()});
-    for (const auto& file : json.at("files"))
-      m.files.push_back({file.at("file").get<std::string>(), file.at("size").get<std::uint64_t>(),
-                         file.at("sha256").get<std::string>()});
-  } catch (const spec::InputError& error) {
-    throw Refused("manifest.json: " + error.message());
-  } catch (const nlohmann::json::exception& error) {
-    throw Refused(std::string("manifest.json: ") + error.what());
+  m.tool = string(root, "tool");
+  m.made = string(root, "made");
+  m.command = strings("command");
+  m.directory = string(root, "directory");
+  m.sections = strings("sections");
+  m.adapter = string(root, "adapter");
+  m.interrupted = string(root, "interrupted");
+  m.cases = count(root, "cases");
+  for (const Node& input : list_of(read, root, "inputs")) {
+    read.keys(input, "an input", {"given", "file"});
+    m.inputs.push_back({string(input, "given"), string(input, "file")});
+  }
+  for (const Node& file : list_of(read, root, "files")) {
+    read.keys(file, "a file", {"file", "size", "sha256"});
+    m.files.push_back({string(file, "file"), count(file, "size"), string(file, "sha256")});
   }
   return m;
 }

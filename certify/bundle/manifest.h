@@ -48,7 +48,7 @@ struct Manifest {
 };
 
 std::string write_manifest(const Manifest& manifest);
-// Throws Refused for text that is no manifest of this format.
+// Throws spec::InputError for text that is no manifest of this format (`toolcomp config schema manifest`).
 Manifest read_manifest(std::string_view text);
 
 }  // namespace toolcomp::certify::bundle

@@ -4,7 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "certify/bundle/refused.h"
+#include "spec/language/document.h"
 #include "spec/language/fields.h"
 #include "spec/language/input_error.h"
 #include "spec/language/outside_json.h"
@@ -35,10 +35,10 @@ double real(const nlohmann::json& number) {
 
 // The value of an enumeration that has a name.
 template <class Value, std::size_t count>
-Value named(const std::string& text) {
+Value named(const std::string& text, const std::string& place) {
   for (std::size_t i = 0; i < count; ++i)
     if (name(static_cast<Value>(i)) == text) return static_cast<Value>(i);
-  throw Refused("\"" + text + "\" is unknown");
+  throw spec::InputError(place, 0, 0, spec::document::in_quotes(text) + " is unknown");
 }
 
 // What is compared.
@@ -90,22 +90,23 @@ std::string write_record(std::uint64_t number, const Record& record) {
 }
 
 Record read_record(std::uint64_t number, std::string_view line) {
-  const std::string place = "results.jsonl: line " + std::to_string(number + 1) + ": ";
+  const std::string place = "results.jsonl: line " + std::to_string(number + 1);
   Record record;
   CaseResult& r = record.result;
   try {
-    const auto json = spec::read_outside_json(line, place.substr(0, place.size() - 2));
-    if (json.at("case") != number) throw Refused("is not that of case " + std::to_string(number));
+    const auto json = spec::read_outside_json(line, place);
+    if (json.at("case") != number) throw spec::InputError(place, 0, 0, "is not that of case " + std::to_string(number));
     const auto text = [&json](const char* key) { return json.contains(key) ? json.at(key).get<std::string>() : ""; };
     r.id = json.at("id").get<std::string>();
     r.section = json.at("section").get<std::string>();
-    r.origin = named<Origin, 3>(json.at("origin").get<std::string>());
+    r.origin = named<Origin, 3>(json.at("origin").get<std::string>(), place);
     record.asked = json.at("asked").get<bool>();
-    r.result = named<Result, kResults>(json.at("result").get<std::string>());
+    r.result = named<Result, kResults>(json.at("result").get<std::string>(), place);
     r.why = text("why");
     if (r.result == Result::differs) r.key = {r.section, text("clause"), text("kind")};
     if (json.contains("fault"))
-      record.fault = Fault{named<FaultKind, kFaultKinds>(text("fault")), text("what"), text("status"), text("errors")};
+      record.fault =
+          Fault{named<FaultKind, kFaultKinds>(text("fault"), place), text("what"), text("status"), text("errors")};
     record.cut = json.contains("cut") && json.at("cut").get<bool>();
     fuzz::Verdict& v = r.verdict;
     v.values = json.at("values").get<std::uint64_t>();
@@ -124,12 +125,8 @@ Record read_record(std::uint64_t number, std::string_view line) {
     v.bias = {rounded.at("count").get<std::uint64_t>(), real(rounded.at("sum")), real(rounded.at("worst"))};
     r.sent = fields(json.at("sent"));
     r.due = fields(json.at("due"));
-  } catch (const spec::InputError& error) {
-    throw Refused(error.what());
   } catch (const nlohmann::json::exception& error) {
-    throw Refused(place + error.what());
-  } catch (const Refused& error) {
-    throw Refused(place + error.what());
+    throw spec::InputError(place, 0, 0, error.what());
   }
   return record;
 }

@@ -49,8 +49,12 @@ class Verifying {
   explicit Verifying(const VerifyOptions& options) : options_(options) {}
 
   Verification run() {
-    attempt([this] { bundle_.emplace(read_bundle(options_.file)); });
-    if (!bundle_) return std::move(result_);
+    try {
+      bundle_.emplace(read_bundle(options_.file));
+    } catch (const Refused& why) {
+      refuse(why.what());
+      return std::move(result_);
+    }
     result_.manifest = bundle_->manifest;
     check_signature_beside();
     const auto checks = {&Verifying::read_certificate, &Verifying::check_identity, &Verifying::check_cases,
@@ -64,11 +68,14 @@ class Verifying {
   }
 
  private:
+  // What cannot be read inside a bundle that is one speaks against it.
   template <class Check>
   void attempt(Check check) {
     try {
       check();
     } catch (const Refused& why) {
+      refuse(why.what());
+    } catch (const spec::InputError& why) {
       refuse(why.what());
     } catch (const Json::exception& error) {
       refuse(std::string(kCertificate) + ": " + error.what());
@@ -92,19 +99,11 @@ class Verifying {
   }
 
   void read_certificate() {
-    try {
-      certificate_ = spec::read_outside_json(bundle_->files.at(std::string(kCertificate)), std::string(kCertificate));
-    } catch (const spec::InputError& error) {
-      throw Refused(std::string(kCertificate) + ": " + error.message());
-    }
+    certificate_ = spec::read_outside_json(bundle_->files.at(std::string(kCertificate)), std::string(kCertificate));
     result_.verdict = certificate_.at("verdict").get<std::string>();
     const auto hello = bundle_->files.find(std::string(kHello));
     if (hello == bundle_->files.end()) return;
-    try {
-      capabilities_ = read_capabilities(hello->second);
-    } catch (const spec::InputError& error) {
-      throw Refused(std::string(kHello) + ": " + error.message());
-    }
+    capabilities_ = capabilities_from(spec::read_outside_json(hello->second, std::string(kHello)));
     result_.controller = capabilities_->name + " " + capabilities_->version;
   }
 
@@ -152,11 +151,7 @@ class Verifying {
   }
 
   static spec::Case read_request(const Lines& lines) {
-    try {
-      return spec::read_case(lines.request, std::string(kCases));
-    } catch (const spec::InputError& error) {
-      throw Refused(fmt::format("cases.jsonl: line {}: {}", lines.number + 1, error.message()));
-    }
+    return spec::read_case(lines.request, fmt::format("cases.jsonl: line {}", lines.number + 1));
   }
 
   [[nodiscard]] Plan plan() const {
@@ -307,11 +302,7 @@ class Verifying {
   void check_file(const std::string& name, const FailureKey& key) {
     const auto file = bundle_->files.find(name);
     if (file == bundle_->files.end()) throw Refused(name + ": is missing");
-    try {
-      if (read_finding(file->second, name).key != key) throw Refused(name + ": is not the finding of the certificate");
-    } catch (const spec::InputError& error) {
-      throw Refused(name + ": " + error.message());
-    }
+    if (read_finding(file->second, name).key != key) throw Refused(name + ": is not the finding of the certificate");
   }
 
   // The certificate says what the cases add up to.

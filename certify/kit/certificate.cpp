@@ -148,8 +148,7 @@ std::string html(const KitVerdict& verdict) {
 }  // namespace
 
 void write_certificate(const KitVerdict& verdict, const std::filesystem::path& folder) {
-  spec::write_file(folder / "certificate.json", json_text(verdict));
-  spec::write_file(folder / "index.html", html(verdict));
+  spec::write_files({{folder / "certificate.json", json_text(verdict)}, {folder / "index.html", html(verdict)}});
 }
 
 }  // namespace toolcomp::certify::kit

@@ -47,24 +47,22 @@ Json json_of(const KitProgram& program) {
 // Reads one table after another with positions for messages.
 class KitReader {
  public:
-  explicit KitReader(const std::filesystem::path& folder)
-      : folder_(folder), file_((folder / kKitFile).string()), read_(file_) {}
+  explicit KitReader(std::string file) : file_(std::move(file)), read_(file_) {}
 
-  Kit kit() {
-    const std::string bytes = spec::read_file(file_);
-    const Node root = spec::document::parse_json(bytes, file_);
+  Kit kit(std::string_view json) const {
+    const Node root = spec::document::parse_json(json, file_);
     read_.keys(root, "kit",
                {"kit", "dialect", "tool", "corpus", "corpus_hash", "sections", "machine", "travels", "tolerance",
                 "rests", "offsets", "groups", "programs", "outcomes", "recorded", "noted", "missing", "files"});
-    static_cast<void>(read_.integer(at(root, "kit"), "kit", 1, 1));
+    static_cast<void>(read_.integer(read_.needed(root, "kit"), "kit", 1, 1));
     Kit kit;
-    kit.digest = corpus::sha256(bytes);
+    kit.digest = corpus::sha256(json);
     kit.tool = text(root, "tool");
     kit.corpus = text(root, "corpus");
     kit.corpus_hash = text(root, "corpus_hash");
-    kit.sections = read_.strings(at(root, "sections"), "sections");
+    kit.sections = read_.strings(read_.needed(root, "sections"), "sections");
     kit.offsets_program = file_name(root, "offsets");
-    kit.tolerance = read_.decimal(at(root, "tolerance"), "tolerance");
+    kit.tolerance = read_.decimal(read_.needed(root, "tolerance"), "tolerance");
     kit.outcomes = number(root, "outcomes");
     kit.recorded = number(root, "recorded");
     kit.noted = number(root, "noted");
@@ -74,21 +72,17 @@ class KitReader {
     for (const Node& item : list(root, "programs")) kit.programs.push_back(program(item, kit.groups.size()));
     for (const Node& item : list(root, "missing"))
       kit.missing.push_back({text(item, "outcome"), text(item, "text"), text(item, "why")});
-    files(at(root, "files"), kit);
+    files(read_.needed(root, "files"), kit);
     return kit;
   }
 
  private:
-  const Node& at(const Node& table, std::string_view key) const {
-    read_.expect(table, Kind::table, key);
-    const Node* const node = table.find(key);
-    if (node == nullptr) read_.fail(table.at, "\"" + std::string(key) + "\" is missing");
-    return *node;
+  std::string text(const Node& table, std::string_view key) const {
+    return read_.string(read_.needed(table, key), key);
   }
-  std::string text(const Node& table, std::string_view key) const { return read_.string(at(table, key), key); }
   // A file of the kit: nothing outside its folder is opened.
   std::string file_name(const Node& table, std::string_view key) const {
-    expect_file_name(at(table, key).at, text(table, key));
+    expect_file_name(read_.needed(table, key).at, text(table, key));
     return text(table, key);
   }
   void expect_file_name(spec::document::Position at, const std::string& name) const {
@@ -97,11 +91,11 @@ class KitReader {
   }
   std::uint64_t number(const Node& table, std::string_view key) const {
     constexpr std::uint64_t kMost = 1'000'000'000;
-    return read_.integer(at(table, key), key, 0, kMost);
+    return read_.integer(read_.needed(table, key), key, 0, kMost);
   }
   const std::vector<Node>& list(const Node& table, std::string_view key) const {
-    read_.expect(at(table, key), Kind::array, key);
-    return at(table, key).items;
+    read_.expect(read_.needed(table, key), Kind::array, key);
+    return read_.needed(table, key).items;
   }
 
   void travel(const Node& node, Machine& machine) const {
@@ -115,13 +109,11 @@ class KitReader {
   KitGroup group(const Node& node) const {
     KitGroup group;
     group.program = file_name(node, "program");
-    read_.expect(at(node, "parameters"), Kind::table, "parameters");
-    for (const auto& member : at(node, "parameters").members) {
-      const std::size_t mark = member.name.find('#');
-      const auto whole = spec::parse_decimal(member.name.substr(0, mark));
-      if (!whole) read_.fail(member.at, "\"" + member.name + "\" is no parameter");
-      const int bit = mark == std::string::npos || mark + 1 == member.name.size() ? -1 : member.name[mark + 1] - '0';
-      group.parameters[{static_cast<std::uint32_t>(whole->digits), bit}] = read_.decimal(member.value, member.name);
+    read_.expect(read_.needed(node, "parameters"), Kind::table, "parameters");
+    for (const auto& member : read_.needed(node, "parameters").members) {
+      const auto id = spec::parse_parameter_id(member.name);
+      if (!id) read_.fail(member.at, spec::document::in_quotes(member.name) + " is no parameter");
+      group.parameters[*id] = read_.decimal(member.value, member.name);
     }
     return group;
   }
@@ -129,8 +121,9 @@ class KitReader {
   KitProgram program(const Node& node, std::size_t groups) const {
     KitProgram program;
     program.number = static_cast<unsigned>(
-        read_.integer(at(node, "number"), "number", kFirstProgram + 1, kFirstProgram + kMostNumber));
-    program.group = static_cast<std::size_t>(read_.integer(at(node, "group"), "group", 0, groups - 1));
+        read_.integer(read_.needed(node, "number"), "number", kFirstProgram + 1, kFirstProgram + kMostNumber));
+    if (groups == 0) read_.fail(node.at, "a program of no group");
+    program.group = static_cast<std::size_t>(read_.integer(read_.needed(node, "group"), "group", 0, groups - 1));
     program.file = file_name(node, "file");
     program.setup = file_name(node, "setup");
     if (node.find("alarm") != nullptr) {
@@ -145,13 +138,13 @@ class KitReader {
                                text(item, "section"),
                                text(item, "machine") == "same",
                                {number(item, "first_line"), number(item, "last_line"), number(item, "end_line")},
-                               read_.strings(at(item, "shows"), "shows")});
+                               read_.strings(read_.needed(item, "shows"), "shows")});
     return program;
   }
 
   MarkLines marks(const Node& node) const {
     const std::vector<Node>& lines = list(node, "mark_lines");
-    if (lines.size() != 3) read_.fail(at(node, "mark_lines").at, "mark_lines: three lines");
+    if (lines.size() != 3) read_.fail(read_.needed(node, "mark_lines").at, "mark_lines: three lines");
     const auto line = [&](std::size_t i) { return read_.integer(lines[i], "mark_lines", 1, 1'000'000); };
     return {line(0), line(1), line(2)};
   }
@@ -160,18 +153,13 @@ class KitReader {
     read_.expect(node, Kind::table, "files");
     for (const auto& member : node.members) {
       expect_file_name(member.at, member.name);
-      const std::string& digest = read_.string(member.value, member.name);
-      const std::string path = (folder_ / member.name).string();
-      if (member.name != kAlarmForm && corpus::sha256_file(path) != digest)
-        throw spec::InputError(path, 0, 0, "is not what kit.json says: the kit was changed");
-      kit.files[member.name] = digest;
+      kit.files[member.name] = read_.string(member.value, member.name);
     }
     for (const KitProgram& program : kit.programs)
       if (!kit.files.contains(program.file) || !kit.files.contains(program.setup))
         read_.fail(node.at, program.file + " or " + program.setup + " is missing");
   }
 
-  std::filesystem::path folder_;
   std::string file_;
   spec::document::Reader read_;
 };
@@ -213,6 +201,17 @@ std::string write_kit(const Kit& kit) {
   return json.dump(1) + "\n";
 }
 
-Kit read_kit(const std::filesystem::path& folder) { return KitReader(folder).kit(); }
+Kit read_kit_json(std::string_view text, const std::string& file) { return KitReader(file).kit(text); }
+
+Kit read_kit(const std::filesystem::path& folder) {
+  const std::string file = (folder / kKitFile).string();
+  Kit kit = read_kit_json(spec::read_file(file), file);
+  for (const auto& [name, digest] : kit.files) {
+    const std::string path = (folder / name).string();
+    if (name != kAlarmForm && corpus::sha256_file(path) != digest)
+      throw spec::InputError(path, 0, 0, "is not what kit.json says: the kit was changed");
+  }
+  return kit;
+}
 
 }  // namespace toolcomp::certify::kit

@@ -73,6 +73,7 @@ class ProgramPath::Run : public model::EventSink, public model::MotionSink {
   bool next_piece(PathPiece& piece);
   [[nodiscard]] Place place(const Reals& positions) const;
   [[nodiscard]] bool same(const AxisPoint& a, const AxisPoint& b) const;
+  [[nodiscard]] bool is_finite(const AxisPoint& point) const;
   bool rename(const Given& given, PathPiece& piece);
   bool begin(const Given& given, PathPiece& piece);
   [[nodiscard]] std::optional<CurveBound> bend(const Given& given, const Reals& from, const Reals& points) const;
@@ -158,7 +159,11 @@ void ProgramPath::Run::on(const model::Event& event) {
 
 bool ProgramPath::Run::next(PathPiece& piece) {
   try {
-    return next_piece(piece);
+    if (!next_piece(piece)) return false;
+    // Whoever measures by what is no number does not come to an end.
+    if (is_finite(piece.begin) && is_finite(piece.end)) return true;
+    end("a position inside line " + std::to_string(piece.line) + " is no number");
+    return false;
   } catch (const exact::Undecided&) {
     end("a position inside line " + std::to_string(piece_.line) + " could not be certified");
     return false;
@@ -205,6 +210,11 @@ Place ProgramPath::Run::place(const Reals& positions) const {
         result.off.rotary = std::max(result.off.rotary, off);
     }
   return result;
+}
+
+bool ProgramPath::Run::is_finite(const AxisPoint& point) const {
+  const auto finite = [&](std::size_t axis) { return std::isfinite(point.at(axis)); };
+  return std::ranges::all_of(space_.linear, finite) && std::ranges::all_of(space_.rotary, finite);
 }
 
 bool ProgramPath::Run::same(const AxisPoint& a, const AxisPoint& b) const {

@@ -28,6 +28,12 @@ std::optional<Decimal> parse_decimal(std::string_view text) {
   return value;
 }
 
+std::optional<std::uint32_t> parse_small_number(std::string_view text, std::uint64_t most) {
+  const std::optional<Decimal> value = parse_decimal(text);
+  if (!value || value->digits > most || std::to_string(value->digits) != text) return std::nullopt;
+  return static_cast<std::uint32_t>(value->digits);
+}
+
 std::string to_string(const Decimal& value) {
   std::string digits = std::to_string(value.digits);
   if (value.decimals > 0) {

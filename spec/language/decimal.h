@@ -28,6 +28,9 @@ struct Decimal {
 // kMaxDigits digits.
 std::optional<Decimal> parse_decimal(std::string_view text);
 
+// A number without sign, point and leading zeros, at most `most`, which a std::uint32_t holds.
+std::optional<std::uint32_t> parse_small_number(std::string_view text, std::uint64_t most);
+
 // The shortest text that parse_decimal reads back to the same Decimal.
 std::string to_string(const Decimal& value);
 

@@ -112,6 +112,13 @@ std::size_t Reader::choice(const Node& node, std::string_view name, std::span<co
   return static_cast<std::size_t>(found - choices.begin());
 }
 
+const Node& Reader::needed(const Node& table, std::string_view key) const {
+  expect(table, Kind::table, key);
+  const Node* const node = table.find(key);
+  if (node == nullptr) fail(table.at, "\"" + std::string(key) + "\" is missing");
+  return *node;
+}
+
 void Reader::keys(const Node& node, std::string_view name, std::span<const std::string_view> known) const {
   expect(node, Kind::table, name);
   for (const Member& member : node.members)

@@ -74,6 +74,8 @@ class Reader {
                                    std::initializer_list<std::string_view> choices) const {
     return choice(node, name, std::span(choices.begin(), choices.size()));
   }
+  // The member of a table; a table without it is an error.
+  [[nodiscard]] const Node& needed(const Node& table, std::string_view key) const;
   // `node` must be a table of these keys.
   void keys(const Node& node, std::string_view name, std::span<const std::string_view> known) const;
   void keys(const Node& node, std::string_view name, std::initializer_list<std::string_view> known) const {

@@ -3,7 +3,10 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace toolcomp::spec {
 
@@ -11,5 +14,10 @@ namespace toolcomp::spec {
 // is replaced, not followed; what is no plain file (a device, a folder) is refused. Throws InputError naming the file
 // and why; nothing is left then.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+// The same of files that belong together: all are on the disk before the first of them is seen, so that a disk that is
+// full leaves those of before.
+using FileText = std::pair<std::filesystem::path, std::string>;
+void write_files(const std::vector<FileText>& files);
 
 }  // namespace toolcomp::spec

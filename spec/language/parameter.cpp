@@ -73,6 +73,17 @@ std::string to_string(ParameterId id) {
   return std::to_string(id.number) + (id.bit < 0 ? std::string() : '#' + std::to_string(id.bit));
 }
 
+std::optional<ParameterId> parse_parameter_id(std::string_view name) {
+  constexpr std::uint64_t kGreatest = 99999;
+  const std::size_t mark = name.find('#');
+  const std::optional<std::uint32_t> number = parse_small_number(name.substr(0, mark), kGreatest);
+  if (!number) return std::nullopt;
+  if (mark == std::string_view::npos) return ParameterId{*number, -1};
+  const std::string_view bit = name.substr(mark + 1);
+  if (bit.size() != 1 || bit[0] < '0' || bit[0] > '7') return std::nullopt;
+  return ParameterId{*number, bit[0] - '0'};
+}
+
 std::string expected_value(ParameterId id, const Axes& axes) {
   const ParameterInfo* const p = find_parameter(id);
   if (p == nullptr) {

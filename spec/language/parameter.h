@@ -41,6 +41,8 @@ const ParameterInfo& nearest_parameter(ParameterId id);
 
 // "19680" or "5001#2".
 std::string to_string(ParameterId id);
+// The other way, known or not; nothing where it is neither: a number up to 99999, a bit from 0 to 7.
+std::optional<ParameterId> parse_parameter_id(std::string_view name);
 
 // What a value may be, for messages: "0, 2, 12 or 21". `id` is known.
 std::string expected_value(ParameterId id, const Axes& axes);

@@ -23,15 +23,7 @@ using document::Node;
 using document::Reader;
 
 constexpr std::string_view kAxisLetters = "ABCUVWXYZ";
-constexpr std::uint32_t kMaxParameter = 99999;
 constexpr std::uint64_t kMaxOffsets = 999;
-
-// A number without sign and without leading zeros, at most `most`.
-std::optional<std::uint32_t> small_number(std::string_view text, std::uint64_t most) {
-  const std::optional<Decimal> value = parse_decimal(text);
-  if (!value || value->digits > most || std::to_string(value->digits) != text) return std::nullopt;
-  return static_cast<std::uint32_t>(value->digits);
-}
 
 Axes axes_from(const Node& node, const Reader& read) {
   read.expect(node, Kind::array, "axes");
@@ -45,17 +37,6 @@ Axes axes_from(const Node& node, const Reader& read) {
   }
   if (letters.empty()) read.fail(node.at, "axes: expected at least one axis");
   return Axes(letters);
-}
-
-// "5001" or "5001#2"; nothing where it is neither.
-std::optional<ParameterId> parameter_id(std::string_view name) {
-  const std::size_t mark = name.find('#');
-  const std::optional<std::uint32_t> number = small_number(name.substr(0, mark), kMaxParameter);
-  if (!number) return std::nullopt;
-  if (mark == std::string_view::npos) return ParameterId{*number, -1};
-  const std::string_view bit = name.substr(mark + 1);
-  if (bit.size() != 1 || bit[0] < '0' || bit[0] > '7') return std::nullopt;
-  return ParameterId{*number, bit[0] - '0'};
 }
 
 // As a control shows a parameter of bits: eight of them, bit 7 first.
@@ -75,7 +56,7 @@ void refuse_row_of_bits(const Node& value, ParameterId id, const Reader& read) {
 
 void read_parameter(const Member& member, const Reader& read, Setup& setup) {
   const std::string& name = member.name;
-  const std::optional<ParameterId> id = parameter_id(name);
+  const std::optional<ParameterId> id = parse_parameter_id(name);
   if (!id)
     read.fail(member.at, "parameters: " + in_quotes(name) +
                              " is no parameter; expected a number up to 99999, or number#bit with a bit from 0 to 7");
@@ -117,7 +98,7 @@ std::map<std::uint32_t, OffsetEntry> entries_from(const Node& node, const std::s
   read.expect(node, Kind::table, "offsets." + letter);
   std::map<std::uint32_t, OffsetEntry> entries;
   for (const Member& member : node.members) {
-    const std::optional<std::uint32_t> number = small_number(member.name, count);
+    const std::optional<std::uint32_t> number = parse_small_number(member.name, count);
     if (!number || *number == 0)
       read.fail(member.at, "offsets." + letter + ": " + in_quotes(member.name) +
                                " is no offset number; expected 1 to offsets.count = " + std::to_string(count));
@@ -169,7 +150,7 @@ AxisTable* workpiece_table(const std::string& name, Setup& setup) {
   if (name.size() == 3 && name.starts_with("G5") && name[2] >= '4' && name[2] <= '9')
     return &setup.workpiece[static_cast<std::size_t>(name[2] - '4')];
   if (!name.starts_with('P')) return nullptr;
-  const std::uint32_t number = small_number(name.substr(1), kAdditionalWorkpieces).value_or(0);
+  const std::uint32_t number = parse_small_number(name.substr(1), kAdditionalWorkpieces).value_or(0);
   return number == 0 ? nullptr : &setup.additional_workpiece[number];
 }
 

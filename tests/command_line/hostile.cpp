@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
 #include "tests/command_line/bundles.h"
 #include "tests/command_line/command.h"
+#include "tests/effort.h"
 
 namespace {
 
@@ -25,6 +27,8 @@ using toolcomp::test::write_bundle;
 
 const std::string kBinary = TOOLCOMP_BINARY_DIR "/toolcomp";
 const std::string kPlate = TOOLCOMP_SOURCE_DIR "/examples/fanuc/plate-cutter-compensation-b/plate.nc";
+// What a process may hold. Sanitizers reserve more than that before they begin.
+const std::string kMemory = toolcomp::test::kSanitized ? "" : "ulimit -v 4000000; ";
 // ESC, a line end, C1's CSI in UTF-8 and as a byte, bidirectional marks, DEL, BEL.
 const std::string kHostile =
     "\x1b[31m\nconforms\xc2\x9b"
@@ -120,23 +124,22 @@ TEST(HostileOutput, AFullDiskIsSaid) {
 TEST(HostileJson, DeepOrLargeIsRefused) {
   const Folder folder;
   const std::string deep = std::string(300'000, '[');
-  const std::string limit = "ulimit -v 4000000; ";
-  expect_refused(toolcomp("replay " + folder.write("deep.json", "{\"finding\": 1, \"capabilities\": " + deep), limit),
+  expect_refused(toolcomp("replay " + folder.write("deep.json", "{\"finding\": 1, \"capabilities\": " + deep), kMemory),
                  "nested too deep", "finding");
   expect_refused(toolcomp("replay " + folder.write("number.json",
                                                    R"({"finding": 1, "capabilities": {"a": 1e999999}, "case": {}})"),
-                          limit),
+                          kMemory),
                  "number.json", "number");
   std::string many = "[{}";
   for (int i = 0; i < 6'000'000; ++i) many += ",{}";
   many += "]";
-  expect_refused(toolcomp("replay " + folder.write("many.json", "{\"finding\": 1, \"before\": " + many + "}"), limit),
+  expect_refused(toolcomp("replay " + folder.write("many.json", "{\"finding\": 1, \"before\": " + many + "}"), kMemory),
                  "more than 5000000 values", "finding of many values");
-  expect_refused(toolcomp("config check " + folder.write("setup.json", "{\"axes\": " + many + "}"), limit),
+  expect_refused(toolcomp("config check " + folder.write("setup.json", "{\"axes\": " + many + "}"), kMemory),
                  "more than 5000000 values", "setup of many values");
   std::string axes = "control = \"fanuc\"\naxes = [\"X\"";
   for (int i = 0; i < 100'000; ++i) axes += ", \"X\"";
-  expect_refused(toolcomp("config check " + folder.write("axes.toml", axes + "]\n"), limit), "axes.toml", "axes");
+  expect_refused(toolcomp("config check " + folder.write("axes.toml", axes + "]\n"), kMemory), "axes.toml", "axes");
 }
 
 TEST(HostileJson, AnswersOfControllers) {
@@ -148,7 +151,7 @@ TEST(HostileJson, AnswersOfControllers) {
     return toolcomp("certify --controller 'sh " + script +
                         "' --section fanuc/tool-offset --cases 1 --settle 0 --timeout 5 --report " +
                         folder.path("report"),
-                    "ulimit -v 4000000; ");
+                    kMemory);
   };
   for (const std::string& answer : {"{\"name\":\"x\",\"version\":\"1\",\"protocol\":1,\"setup\":{\"a\":" + deep,
                                     "{\"a\":" + deep, std::string("{\"protocol\":1,\"x\":1e999999}")}) {
@@ -171,9 +174,40 @@ TEST(HostileBundle, ManifestsAndStrings) {
   Members deep = good;
   deep["manifest.json"] = "{\"evidence\":" + std::string(1'000'000, '[');
   write_bundle(folder.path("deep.tar.zst"), deep);
-  const Outcome refused = toolcomp("verify " + folder.path("deep.tar.zst"), "ulimit -v 4000000; ");
-  EXPECT_EQ(refused.status, 1) << refused.err;
-  EXPECT_NE(refused.out.find("nested too deep"), std::string::npos) << refused.out;
+  expect_refused(toolcomp("verify " + folder.path("deep.tar.zst"), kMemory), "nested too deep",
+                 "a manifest as deep as a million brackets");
+  // What a manifest may not be, by its schema and by its reader.
+  const std::string manifest = good.at("manifest.json");
+  std::string files = folder.write("0.json", manifest);
+  std::string expected = "True";
+  for (const char* patch :
+       {R"({"evidence": 2})", R"({"evidence": "1"})", R"({"more": 1})", R"({"tool": null})", R"({"made": 1})",
+        R"({"command": "toolcomp"})", R"({"command": [1]})", R"({"sections": {}})", R"({"cases": -1})",
+        R"({"cases": 1.5})", R"({"cases": 10000000000000})", R"({"inputs": [{"given": "a"}]})",
+        R"({"inputs": [{"given": "a", "file": "b", "more": 1}]})",
+        R"({"files": [{"file": "a", "size": "1", "sha256": ""}]})", R"({"files": [1]})"}) {
+    auto changed = nlohmann::json::parse(manifest);
+    const auto changes = nlohmann::json::parse(patch);
+    for (const auto& [key, value] : changes.items()) {
+      if (value.is_null())
+        changed.erase(key);
+      else
+        changed[key] = value;
+    }
+    files += " " + folder.write(std::to_string(expected.size()) + ".json", changed.dump());
+    expected += " False";
+    Members members = good;
+    members["manifest.json"] = changed.dump();
+    write_bundle(folder.path("wrong.tar.zst"), members);
+    expect_refused(toolcomp("verify " + folder.path("wrong.tar.zst")), "manifest.json:1:", patch);
+  }
+  EXPECT_EQ(command("/usr/bin/python3 -W ignore -c 'import json, sys, jsonschema\n"
+                    "v = jsonschema.Draft202012Validator(json.load(open(sys.argv[1])))\n"
+                    "print(*[v.is_valid(json.load(open(f))) for f in sys.argv[2:]])' " TOOLCOMP_SOURCE_DIR
+                    "/corpus/schema/manifest.schema.json " +
+                    files)
+                .out,
+            expected + "\n");
   // Every string of manifest, certificate and hello.
   for (const char* name : {"manifest.json", "certificate.json", "hello.json"}) {
     const auto original = nlohmann::ordered_json::parse(good.at(name));
@@ -257,6 +291,69 @@ TEST(HostileText, NamesAndWordsInErrors) {
   expect_harmless(toolcomp("\"$(printf '\\033[31m\\nconforms')\""), "a verb");
 }
 
+// A document with each of its strings made hostile, one after another. Returns how many there are.
+template <class Use>
+int each_string(const nlohmann::json& document, Use use) {
+  int strings = 0;
+  const auto flat = document.flatten();
+  for (const auto& [pointer, value] : flat.items()) {
+    if (!value.is_string()) continue;
+    auto changed = document;
+    changed[nlohmann::json::json_pointer(pointer)] = "\x1b[31m\nconforms\xc2\x9b\xe2\x80\xae\x7f\x07";
+    use(changed, pointer);
+    ++strings;
+  }
+  return strings;
+}
+
+TEST(HostileText, InFilesThatPeoplePassOn) {
+  const Folder folder;
+  fs::create_directories(folder.path("adapters/a"));
+  fs::create_directories(folder.path("kit"));
+  const auto finding = nlohmann::json::parse(
+      R"({"finding": 1, "kind": "coordinate", "clause": "fanuc.tool-offset.x", "line": 1, "field": "axes.X",
+          "expected": "1", "actual": "2", "status": "exit status 0", "errors": "e", "alone": "the fast engine",
+          "controller": "false", "directory": "/", "seed": "1", "target": "t", "tool": "toolcomp", "first_case": "f",
+          "not_settled": "no time", "capabilities": {"name": "n", "version": "v", "protocol": 1, "sections": ["s"],
+          "fields": ["kind"], "resolution": "0.1", "rounding": "nearest"},
+          "case": {"case": 1, "id": "a", "section": "fanuc/tool-offset", "comment": "c", "clauses": ["x"],
+          "dialect": "fanuc", "setup": {"control": "fanuc", "units": "mm", "axes": ["X"]}, "program": "G00 X1\n"}})");
+  ASSERT_EQ(toolcomp("replay " + folder.write("good.json", finding.dump()) + " --controller '" + kBinary +
+                     " serve --engine fast'")
+                .status,
+            0);
+  int places = each_string(finding, [&](const auto& changed, const std::string& pointer) {
+    const std::string file = folder.write("finding.json", changed.dump());
+    expect_harmless(toolcomp("replay --yes " + file), "replay, " + pointer);
+    expect_harmless(toolcomp("replay " + file + " --controller '" + kBinary + " serve --engine fast'"), pointer);
+  });
+  const auto kit = nlohmann::json::parse(
+      R"({"kit": 1, "dialect": "fanuc", "tool": "t", "corpus": "1", "corpus_hash": "h", "sections": ["fanuc/tool-offset"],
+          "machine": "control = \"fanuc\"\naxes = [\"X\"]\n", "travels": ["X=0,1"], "tolerance": "1", "offsets": "o",
+          "groups": [{"parameters": {"5001#2": "1"}, "program": "p"}], "programs": [{"number": 8001, "group": 0,
+          "file": "f", "setup": "s", "expected": "e", "mark_lines": [1, 2, 3], "cases": [{"id": "i", "section": "s",
+          "machine": "same", "first_line": 1, "last_line": 1, "end_line": 1, "shows": ["o"]}]}], "outcomes": 0,
+          "recorded": 0, "noted": 0, "missing": [{"outcome": "o", "text": "t", "why": "w"}], "files": {"f": "0"}})");
+  places += each_string(kit, [&](const auto& changed, const std::string& pointer) {
+    static_cast<void>(folder.write("kit/kit.json", changed.dump()));
+    expect_harmless(toolcomp("kit judge " + folder.path("kit")), "kit, " + pointer);
+  });
+  const std::string good = "[[adapter]]\nname = \"a\"\nkind = \"pipe\"\ncommand = \"false\"\n";
+  const std::string text = R"("\u001b[31m\nconforms\u009b\u202e")";
+  for (const std::string& manifest :
+       {good + "packages = [" + text + "]\nprograms = [" + text + "]\n", good + "tolerance = " + text + "\n",
+        good + "setups = [" + text + "]\n", good + "known_differences = " + text + "\n", good + text + " = 1\n",
+        "[[adapter]]\nname = " + text + "\n", "[[adapter]]\nname = \"a\"\nkind = " + text + "\n",
+        "[[adapter]]\nname = \"a\"\nkind = \"pipe\"\ncommand = " + text + "\n"}) {
+    static_cast<void>(folder.write("adapters/a/manifest.toml", manifest));
+    expect_harmless(toolcomp("certify --controller a --cases 1 --section fanuc/tool-offset --adapters " +
+                             folder.path("adapters") + " --report " + folder.path("r")),
+                    manifest);
+    ++places;
+  }
+  EXPECT_GE(places, 50);
+}
+
 // --- a finding's command
 
 TEST(HostileFinding, IsNotRunUnasked) {
@@ -325,9 +422,80 @@ TEST(HostileSizes, APageOfAMillionLines) {
   const std::string setup = folder.write("setup.toml", "control = \"fanuc\"\naxes = [\"X\"]\n");
   std::string text = "G01 F1\n";
   for (int i = 0; i < 1'000'000; ++i) text += "X1\n";
-  expect_refused(
-      toolcomp("view " + folder.write("p.nc", text) + " --out " + folder.path("v.html"), "ulimit -v 1000000; "),
-      "more than 200000 lines", "a million lines");
+  expect_refused(toolcomp("view " + folder.write("p.nc", text) + " --out " + folder.path("v.html"), kMemory),
+                 "more than 200000 lines", "a million lines");
+}
+
+TEST(HostileSizes, WhatIsHeldInMemoryIsBounded) {
+  const Folder folder;
+  const std::string setup = folder.write("setup.toml", "control = \"fanuc\"\naxes = [\"X\"]\n");
+  std::string text = "G01 F1\n";
+  for (int i = 0; i < 1'000'001; ++i) text += "X1\n";
+  expect_refused(toolcomp("explain " + folder.write("p.nc", text), kMemory), "more than 200000 blocks", "explain");
+  const nlohmann::json c{{"case", 1},
+                         {"id", "a"},
+                         {"section", "fanuc/tool-offset"},
+                         {"dialect", "fanuc"},
+                         {"setup", {{"control", "fanuc"}, {"axes", {"X"}}}},
+                         {"program", text}};
+  expect_refused(toolcomp("replay " + folder.write("case.json", c.dump()), kMemory), "more than 1000000 lines",
+                 "replay");
+}
+
+// A disk that is full in the middle of it leaves the report that was there.
+TEST(HostileSizes, AReportIsWholeOrNotThere) {
+  const Folder folder;
+  const std::string report = folder.path("report");
+  const std::string certify =
+      kBinary + " certify --controller '" + TOOLCOMP_BINARY_DIR +
+      "/toolcomp_faulty_controller drop-event' --section fanuc/tool-length-offset --cases 20 --settle 0 --report ";
+  const auto files = [&] {
+    std::map<std::string, std::string> list;
+    if (fs::is_directory(report))
+      for (const auto& entry : fs::recursive_directory_iterator(report))
+        if (entry.is_regular_file()) list[entry.path().string()] = read(entry.path());
+    return list;
+  };
+  // Findings fit, a page does not.
+  const std::string full = "ulimit -f 32; ";
+  const Outcome first = command(full + certify + report);
+  expect_refused(first, "cannot be written: ", "the first report");
+  EXPECT_FALSE(fs::exists(report + "/certificate.json"));
+  EXPECT_FALSE(fs::exists(report + "/index.html"));
+  ASSERT_EQ(command(certify + report).status, 1);
+  const auto before = files();
+  expect_refused(command(full + certify + report + " --seed 7"),
+                 "cannot be written: ", "the second report");
+  for (const char* file : {"/certificate.json", "/junit.xml", "/certificate.sarif", "/index.html"})
+    EXPECT_EQ(files()[report + file], before.at(report + file)) << file;
+  for (const auto& [file, text] : files()) EXPECT_EQ(file.find(".part"), std::string::npos) << file;
+}
+
+// A controller that answers nothing is asked five times, whatever it writes meanwhile.
+TEST(HostileSizes, AControllerThatDoesNotAnswer) {
+  const Folder folder;
+  const std::string script = folder.write("c.py", R"(import json, sys, time
+asked = sys.argv[2]
+for line in sys.stdin:
+    if "hello" in json.loads(line) and sys.argv[1] != "hello":
+        print(json.dumps({"name": "n", "protocol": 1, "sections": ["fanuc/cutter-compensation-b"],
+                          "fields": ["kind", "line", "point", "axes"]}), flush=True)
+        continue
+    open(asked, "a").write("x")
+    while True:
+        sys.stdout.write("{" if sys.argv[1] == "drip" else "busy\n" if sys.argv[1] == "chatter" else "")
+        sys.stdout.flush()
+        time.sleep(0.01)
+)");
+  for (const std::string how : {"hang", "drip", "chatter", "hello"}) {
+    const std::string asked = folder.path(how);
+    const Outcome outcome = toolcomp("certify --controller 'python3 " + script + " " + how + " " + asked +
+                                     "' --timeout 1 --report " + folder.path("report") + " " + kPlate);
+    EXPECT_EQ(outcome.status, 1) << how << outcome.err;
+    EXPECT_LE(read(asked).size(), 5U) << how << outcome.out;
+    const bool said = outcome.out.find("it does not answer") != std::string::npos;
+    EXPECT_EQ(said, how == "hang" || how == "drip") << how << outcome.out;
+  }
 }
 
 TEST(HostileSizes, AReportThatCannotBeWritten) {

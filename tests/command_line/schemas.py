@@ -91,6 +91,14 @@ def why(validator, document):
     return "; ".join(error.message[:200] for error in validator.iter_errors(document))
 
 
+# What a finding may not be; "left out" stands for a member that is missing.
+FINDINGS_REFUSED_BY_BOTH = [
+    {"finding": 2}, {"finding": "1"}, {"more": 1}, {"kind": 1}, {"line": -1}, {"line": 1.5}, {"line": "1"},
+    {"occurrences": 10**13}, {"deviation_um": "2"}, {"before": {}}, {"before": [1]}, {"case": 1}, {"case": "left out"},
+    {"capabilities": []}, {"capabilities": {}}, {"errors": []}, {"controller": {"run": "it"}},
+]
+
+
 def main():
     toolcomp, tree = sys.argv[1:]
     schemas = Schemas(tree)
@@ -119,6 +127,22 @@ def main():
                 faults.append(f"the command takes {document}")
             if case.is_valid(document):
                 faults.append(f"the schema takes {document}")
+
+    finding_schema = schemas.validator("finding")
+    good = {"finding": 1, "kind": "coordinate", "clause": None, "line": 1, "deviation_um": 2.5, "seen": 1, "tried": 1,
+            "capabilities": {"protocol": 1}, "before": [GOOD_CASE], "case": GOOD_CASE}
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "finding.json")
+        for change in [{}] + FINDINGS_REFUSED_BY_BOTH:
+            document = {key: value for key, value in (good | change).items() if value != "left out"}
+            with open(path, "w", encoding="utf-8") as file:
+                json.dump(document, file)
+            refused = subprocess.run([toolcomp, "replay", path, "--controller", f"{toolcomp} serve --engine fast"],
+                                     capture_output=True, check=False).returncode == 2
+            if refused != bool(change):
+                faults.append(f"the command {'refuses' if refused else 'takes'} the finding {document}")
+            if finding_schema.is_valid(document) == bool(change):
+                faults.append(f"the schema {'takes' if change else 'refuses'} the finding {document}")
 
     examples = glob.glob(f"{tree}/examples/*/*/*.toml") + glob.glob(f"{tree}/adapters/*/setups/*.toml")
     for path in examples:

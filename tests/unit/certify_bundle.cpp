@@ -18,6 +18,7 @@
 #include "certify/bundle/refused.h"
 #include "certify/bundle/seal.h"
 #include "certify/bundle/spool.h"
+#include "certify/schema.h"
 #include "certify/temporary_folder.h"
 #include "corpus/sha256.h"
 #include "spec/language/input_error.h"
@@ -141,6 +142,8 @@ class Hostile {
       static_cast<void>(read_bundle(file));
     } catch (const Refused& why) {
       return why.what();
+    } catch (const spec::InputError& why) {  // what cannot be read, with its place
+      return std::string("unreadable: ") + why.what();
     }
     return "";
   }
@@ -227,10 +230,19 @@ TEST(Bundle, ManifestsThatCannotBeAreRefused) {
   files.back() = "manifest.json";
   EXPECT_EQ(refused(manifest_of(files, 0)), "manifest.json: names manifest.json twice");
   EXPECT_EQ(refused(manifest_of({"cases.jsonl"}, 0)), "manifest.json: names no answers.jsonl");
-  for (const char* text :
-       {"", "[]", "{", "null", R"({"evidence":"1"})", R"({"evidence":1})", "{\"evidence\":1,\"tool\":7}"})
-    EXPECT_TRUE(refused(text).starts_with("manifest.json: ")) << text;
-  EXPECT_TRUE(refused(std::string(1'000'000, '[')).starts_with("manifest.json: "));
+  for (const char* text : {"", "[]", "{", "null", R"({"evidence":"1"})", R"({"evidence":1})",
+                           "{\"evidence\":1,\"tool\":7}", R"({"evidence":2})", R"({"evidence":1,"more":1})"})
+    EXPECT_TRUE(refused(text).starts_with("unreadable: manifest.json:1:")) << text;
+  EXPECT_EQ(refused(std::string(1'000'000, '[')), "unreadable: manifest.json:1:65: nested too deep");
+}
+
+TEST(Bundle, SchemaFilesAreTheSchemas) {
+  const auto file = [](const std::string& name) {
+    std::ifstream stream(TOOLCOMP_SOURCE_DIR "/corpus/schema/" + name, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+  };
+  EXPECT_EQ(file("finding.schema.json"), finding_schema());
+  EXPECT_EQ(file("manifest.schema.json"), manifest_schema());
 }
 
 TEST(Bundle, ARecordComesBackAsItWas) {
@@ -262,9 +274,9 @@ TEST(Bundle, ARecordComesBackAsItWas) {
   other = again;
   other.fault.reset();
   EXPECT_EQ(difference(again, other), "fault: \"crash\" and null");
-  EXPECT_THROW(static_cast<void>(read_record(5, line)), Refused);
+  EXPECT_THROW(static_cast<void>(read_record(5, line)), spec::InputError);
   for (const char* text : {"", "{}", "[]", R"({"case":0,"id":1})"})
-    EXPECT_THROW(static_cast<void>(read_record(0, text)), Refused) << text;
+    EXPECT_THROW(static_cast<void>(read_record(0, text)), spec::InputError) << text;
 }
 
 }  // namespace
