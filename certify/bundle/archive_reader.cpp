@@ -4,15 +4,14 @@
 #include <archive.h>
 #include <archive_entry.h>
 
-#include <algorithm>
 #include <array>
 
+#include "certify/bundle/plain_name.h"
 #include "certify/bundle/refused.h"
 
 namespace toolcomp::certify::bundle {
 namespace {
 
-constexpr std::size_t kLongestName = 120;
 constexpr std::size_t kReadAtATime = std::size_t{1} << 16;
 
 std::string words(struct archive* archive) {
@@ -21,20 +20,6 @@ std::string words(struct archive* archive) {
 }
 
 }  // namespace
-
-bool is_plain_name(std::string_view name) {
-  const auto plain = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '_' ||
-           c == '-';
-  };
-  const auto part = [&](std::string_view text) {
-    return !text.empty() && text.front() != '.' && std::ranges::all_of(text, plain);
-  };
-  if (name.size() > kLongestName) return false;
-  const std::size_t slash = name.find('/');
-  if (slash == std::string_view::npos) return part(name);
-  return part(name.substr(0, slash)) && part(name.substr(slash + 1));
-}
 
 ArchiveReader::ArchiveReader(const std::filesystem::path& file) : archive_(archive_read_new()) {
   if (archive_ == nullptr || archive_read_support_filter_zstd(archive_) != ARCHIVE_OK ||

@@ -14,11 +14,8 @@ struct archive_entry;
 
 namespace toolcomp::certify::bundle {
 
-// A name a member may have: one or two parts of letters, digits, '.', '_' and '-', none of which begins with a dot.
-bool is_plain_name(std::string_view name);
-
 // Reads a tar archive compressed by zstd, in bounded memory; makes no file. Throws Refused for members that are no
-// plain files or have no plain names, and for bytes that are no such archive.
+// plain files or have no plain names (plain_name.h), and for bytes that are no such archive.
 class ArchiveReader {
  public:
   explicit ArchiveReader(const std::filesystem::path& file);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "certify/bundle/archive_reader.h"
+#include "certify/bundle/plain_name.h"
 #include "certify/bundle/refused.h"
 #include "certify/bundle/seal.h"
 #include "corpus/sha256.h"

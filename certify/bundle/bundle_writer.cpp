@@ -8,8 +8,8 @@
 #include <map>
 #include <utility>
 
-#include "certify/bundle/archive_reader.h"
 #include "certify/bundle/archive_writer.h"
+#include "certify/bundle/plain_name.h"
 #include "certify/bundle/record.h"
 #include "certify/bundle/sbom.h"
 #include "certify/bundle/signature.h"

@@ -20,8 +20,8 @@ struct Record {
 
 // One line without a line feed, the same for the same record.
 std::string write_record(std::uint64_t number, const Record& record);
-// Without setup and picture; of the widths the largest alone. Throws spec::InputError for a line that is no record with this
-// number.
+// Without setup and picture; of the widths the largest alone. Throws spec::InputError for a line that is no record with
+// this number.
 Record read_record(std::uint64_t number, std::string_view line);
 // What two records with one number say that is not the same: "values: 12 and 13"; empty: nothing. What a fault says for
 // people does not count.

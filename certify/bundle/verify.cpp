@@ -44,6 +44,16 @@ struct Lines {
   std::string record;
 };
 
+// What is read inside a bundle; what cannot be read there speaks against it.
+template <class Read>
+auto or_refused(Read read) {
+  try {
+    return read();
+  } catch (const spec::InputError& error) {
+    throw Refused(error.what());
+  }
+}
+
 class Verifying {
  public:
   explicit Verifying(const VerifyOptions& options) : options_(options) {}
@@ -68,14 +78,11 @@ class Verifying {
   }
 
  private:
-  // What cannot be read inside a bundle that is one speaks against it.
   template <class Check>
   void attempt(Check check) {
     try {
       check();
     } catch (const Refused& why) {
-      refuse(why.what());
-    } catch (const spec::InputError& why) {
       refuse(why.what());
     } catch (const Json::exception& error) {
       refuse(std::string(kCertificate) + ": " + error.what());
@@ -99,11 +106,13 @@ class Verifying {
   }
 
   void read_certificate() {
-    certificate_ = spec::read_outside_json(bundle_->files.at(std::string(kCertificate)), std::string(kCertificate));
+    const std::string name(kCertificate);
+    certificate_ = or_refused([&] { return spec::read_outside_json(bundle_->files.at(name), name); });
     result_.verdict = certificate_.at("verdict").get<std::string>();
     const auto hello = bundle_->files.find(std::string(kHello));
     if (hello == bundle_->files.end()) return;
-    capabilities_ = capabilities_from(spec::read_outside_json(hello->second, std::string(kHello)));
+    capabilities_ =
+        or_refused([&] { return capabilities_from(spec::read_outside_json(hello->second, std::string(kHello))); });
     result_.controller = capabilities_->name + " " + capabilities_->version;
   }
 
@@ -150,8 +159,13 @@ class Verifying {
           fmt::format("cases.jsonl: has {} cases, and the manifest says {}", lines.number, bundle_->manifest.cases));
   }
 
+  static Record record_of(const Lines& lines) {
+    return or_refused([&] { return read_record(lines.number, lines.record); });
+  }
+
   static spec::Case read_request(const Lines& lines) {
-    return spec::read_case(lines.request, fmt::format("cases.jsonl: line {}", lines.number + 1));
+    return or_refused(
+        [&] { return spec::read_case(lines.request, fmt::format("cases.jsonl: line {}", lines.number + 1)); });
   }
 
   [[nodiscard]] Plan plan() const {
@@ -173,7 +187,7 @@ class Verifying {
     std::optional<PlannedCases> planned;
     if (capabilities_) planned.emplace(plan());
     for_each_line([&](const Lines& lines) {
-      const Record record = read_record(lines.number, lines.record);
+      const Record record = record_of(lines);
       const spec::Case c = read_request(lines);
       if (record.result.id != c.id || record.result.section != c.section)
         throw Refused(fmt::format("results.jsonl: line {}: is not about {}", lines.number + 1, c.id));
@@ -244,7 +258,7 @@ class Verifying {
   }
 
   void judge_again(const Lines& lines) {
-    const Record record = read_record(lines.number, lines.record);
+    const Record record = record_of(lines);
     const spec::Case c = read_request(lines);
     const Capabilities capabilities = capabilities_.value_or(Capabilities{});
     try {
@@ -302,7 +316,8 @@ class Verifying {
   void check_file(const std::string& name, const FailureKey& key) {
     const auto file = bundle_->files.find(name);
     if (file == bundle_->files.end()) throw Refused(name + ": is missing");
-    if (read_finding(file->second, name).key != key) throw Refused(name + ": is not the finding of the certificate");
+    if (or_refused([&] { return read_finding(file->second, name); }).key != key)
+      throw Refused(name + ": is not the finding of the certificate");
   }
 
   // The certificate says what the cases add up to.

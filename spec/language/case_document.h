@@ -8,6 +8,6 @@
 namespace toolcomp::spec {
 
 // Throws InputError, with the position of the fault, for anything that is not a case (read_case).
-Case case_from(const document::Node& node, const document::Reader& read);
+Case case_from(const document::Node& root, const document::Reader& read);
 
 }  // namespace toolcomp::spec

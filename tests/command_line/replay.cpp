@@ -97,7 +97,7 @@ TEST_F(Replay, WhatIsNoFinding) {
   refused("line.json", replaced(good, "\"line\": 2", "\"line\": \"2\""), "line.json:4:10: line: expected a number");
   refused("kind.json", replaced(good, "\"coordinate\"", "[]"), "kind.json:2:10: kind: expected a string");
   refused("key.json", replaced(good, "\"field\"", "\"fields\""), "key.json:5:2: finding: unknown key \"fields\"");
-  refused("none.json", "\n{\"finding\": 1}", "none.json:2:1: a finding needs a case");
+  refused("none.json", "\n{\"finding\": 1}", "none.json:2:1: \"case\" is missing");
   refused("table.json", "{\"finding\": 1,\n \"case\": 3}", "table.json:2:10: case: expected a table");
   refused("setup.json", replaced(good, "\"R2\"", "\"R3\""), "setup.json:9:");
   // The program of the case: a row of a table that the setup does not have, a NUL.

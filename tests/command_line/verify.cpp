@@ -268,7 +268,7 @@ TEST_F(Verify, AnEditedCertificateIsRefused) {
     members["certificate.json"] = "[";
     adapt_manifest(members);
   });
-  expect_refused(bundle->other, "certificate.json: ");
+  expect_refused(bundle->other, "certificate.json:1:2: ");
 }
 
 TEST_F(Verify, AnotherVersionsCorpusIsRefused) {

@@ -14,6 +14,7 @@
 #include "certify/bundle/archive_reader.h"
 #include "certify/bundle/archive_writer.h"
 #include "certify/bundle/bundle_reader.h"
+#include "certify/bundle/plain_name.h"
 #include "certify/bundle/record.h"
 #include "certify/bundle/refused.h"
 #include "certify/bundle/seal.h"
