@@ -37,13 +37,13 @@ Count Count::of_units(const spec::Decimal& value, Factor factor, int places) {
     if (const std::int64_t small = small_of(whole); small != kNotSmall) return {small, 0};
   }
   // digits * 10^(18 - places) * 127 * factor; 25.4 * 127 = 2 * 127^2 / 10, 127 / 25.4 = 5.
-  Int128 units = static_cast<Int128>(value.digits);
+  auto units = static_cast<Int128>(value.digits);
   switch (factor) {
     case Factor::one:
       units *= static_cast<Int128>(kPowers[static_cast<std::size_t>(kPlaces - places)]) * 127;
       break;
     case Factor::inch_to_mm:
-      units *= static_cast<Int128>(kPowers[static_cast<std::size_t>(kPlaces - 1 - places)]) * (2 * 127 * 127 * 1);
+      units *= static_cast<Int128>(kPowers[static_cast<std::size_t>(kPlaces - 1 - places)]) * (Int128{2} * 127 * 127);
       break;
     case Factor::mm_to_inch:
       units *= static_cast<Int128>(kPowers[static_cast<std::size_t>(kPlaces - places)]) * 5;

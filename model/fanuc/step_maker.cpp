@@ -91,7 +91,7 @@ LengthCommand StepMaker::length_command(const Command& command, const std::vecto
 
 // The legs of a G37 block, and what it writes or the alarm it ends with.
 void StepMaker::measure(Making& now) {
-  const std::size_t axis = measurement_.axis(now.command);
+  const std::size_t axis = ToolLengthMeasurement::axis(now.command);
   const MeasurementStart start{now.plan.at_end.axis.at(axis), tool_offset_.shift(axis), length_.minus()};
   Measurement measured = measurement_.measure(now.command, interpreter_.position(), now.legs.front(), start);
   if (measured.in_zone)
@@ -144,7 +144,7 @@ void StepMaker::arrive(Making& now) {
   interpreter_.arrive(now.command, now.legs);
   if (measures(now.command)) {
     // The programmed position is where the measurement has stopped, the shift of the tool offset apart.
-    const std::size_t axis = measurement_.axis(now.command);
+    const std::size_t axis = ToolLengthMeasurement::axis(now.command);
     const Leg& leg = now.legs.back();
     const Rational by = leg.shift->at(axis) - tool_offset_.shift(axis);
     interpreter_.stand(axis, leg.end.at(axis) + Coordinate(by));

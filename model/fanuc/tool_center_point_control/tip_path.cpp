@@ -11,7 +11,7 @@ namespace toolcomp::model {
 // between its ends). A block that does not move the tip has the fraction of its rotation for t. Axes that are neither X
 // Y Z nor rotary axes of 19681 and 19686 go evenly.
 Vector TipPath::at(const Rational& t) const {
-  const Vector straight = path_.from + Real(t) * (path_.to - path_.from);
+  Vector straight = path_.from + Real(t) * (path_.to - path_.from);
   if (!path_.turn) return straight;
   const PointPath::Turn& turn = *path_.turn;
   const Real angle = t * turn.sweep;
