@@ -464,8 +464,7 @@ TEST(HostileSizes, AReportIsWholeOrNotThere) {
   EXPECT_FALSE(fs::exists(report + "/index.html"));
   ASSERT_EQ(command(certify + report).status, 1);
   const auto before = files();
-  expect_refused(command(full + certify + report + " --seed 7"),
-                 "cannot be written: ", "the second report");
+  expect_refused(command(full + certify + report + " --seed 7"), "cannot be written: ", "the second report");
   for (const char* file : {"/certificate.json", "/junit.xml", "/certificate.sarif", "/index.html"})
     EXPECT_EQ(files()[report + file], before.at(report + file)) << file;
   for (const auto& [file, text] : files()) EXPECT_EQ(file.find(".part"), std::string::npos) << file;
