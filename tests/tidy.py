@@ -47,7 +47,7 @@ def write_group(folder, entry, parts):
         places += [(os.path.relpath(part, ROOT), number + 1) for number in range(len(lines))]
     target.write_text(text)
     command = {"directory": entry["directory"], "file": str(target),
-               "command": entry["command"].replace(entry["file"], str(target)) + f" -I{pathlib.Path(parts[0]).parent}"}
+               "command": entry["command"].replace(entry["file"], str(target))}
     return command, target, places
 
 

@@ -17,7 +17,7 @@ ProgramFacts ProgramFacts::of(const spec::Case& c) {
       typename Control::Reader reader = Control::reader(spec::text_source(c.program), c.setup, "program");
       const auto block = std::make_unique<typename Control::Block>();
       while (reader.next(*block)) facts.read(*block);
-    } catch (const spec::InputError&) {
+    } catch (const spec::InputError&) {  // NOLINT(bugprone-empty-catch)
       // Where a run comes so far it is reported there; it may have ended before.
     }
     return facts;

@@ -33,7 +33,7 @@ VectorWords rounded(Choices& choose) {
   constexpr int precisions[] = {4, 7, 7, 7, 8};
   VectorWords v;
   v.decimals = choose.one_of(precisions);
-  const double one = static_cast<double>(power(v.decimals));
+  const auto one = static_cast<double>(power(v.decimals));
   const auto x = static_cast<double>(choose.between(-1000, 1000));
   const auto y = static_cast<double>(choose.between(-1000, 1000));
   const auto z = static_cast<double>(choose.between(choose.chance(80) ? 1 : -1000, 1000));
