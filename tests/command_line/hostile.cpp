@@ -126,10 +126,13 @@ TEST(HostileJson, DeepOrLargeIsRefused) {
   const std::string deep = std::string(300'000, '[');
   expect_refused(toolcomp("replay " + folder.write("deep.json", "{\"finding\": 1, \"capabilities\": " + deep), kMemory),
                  "nested too deep", "finding");
-  expect_refused(toolcomp("replay " + folder.write("number.json",
-                                                   R"({"finding": 1, "capabilities": {"a": 1e999999}, "case": {}})"),
-                          kMemory),
-                 "number.json", "number");
+  expect_refused(
+      toolcomp(
+          "replay " + folder.write("number.json",
+                                   R"({"finding": 1, "capabilities": {"a": 1e999999}, "case": {"case": 1, "id": "a",
+                 "section": "fanuc/tool-offset", "dialect": "fanuc", "setup": {"control": "fanuc"}, "program": ""}})"),
+          kMemory),
+      "number.json:1:38: \"1e999999\" is beyond what a double holds", "number");
   std::string many = "[{}";
   for (int i = 0; i < 6'000'000; ++i) many += ",{}";
   many += "]";
@@ -456,15 +459,16 @@ TEST(HostileSizes, AReportIsWholeOrNotThere) {
         if (entry.is_regular_file()) list[entry.path().string()] = read(entry.path());
     return list;
   };
-  // Findings fit, a page does not.
-  const std::string full = "ulimit -f 32; ";
+  // Findings and certificate fit, the page does not.
+  const std::string full = "ulimit -f 1000; ";
   const Outcome first = command(full + certify + report);
-  expect_refused(first, "cannot be written: ", "the first report");
+  expect_refused(first, "index.html: cannot be written: ", "the first report");
   EXPECT_FALSE(fs::exists(report + "/certificate.json"));
   EXPECT_FALSE(fs::exists(report + "/index.html"));
   ASSERT_EQ(command(certify + report).status, 1);
   const auto before = files();
-  expect_refused(command(full + certify + report + " --seed 7"), "cannot be written: ", "the second report");
+  expect_refused(command(full + certify + report + " --seed 7"),
+                 "index.html: cannot be written: ", "the second report");
   for (const char* file : {"/certificate.json", "/junit.xml", "/certificate.sarif", "/index.html"})
     EXPECT_EQ(files()[report + file], before.at(report + file)) << file;
   for (const auto& [file, text] : files()) EXPECT_EQ(file.find(".part"), std::string::npos) << file;
