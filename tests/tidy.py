@@ -38,7 +38,9 @@ def groups(build, wanted):
 
 
 def write_group(folder, entry, parts):
-    """The group as one text, with what says where its lines stand."""
+    """The group as one text, with what says where its lines stand; a source alone stays where it is."""
+    if len(parts) == 1:
+        return entry | {"file": parts[0], "command": entry["command"].replace(entry["file"], parts[0])}, parts[0], []
     target = folder / (re.sub(r"\W+", "_", os.path.relpath(parts[0], ROOT)) + ".cpp")
     text, places = "", []
     for part in parts:
@@ -59,7 +61,7 @@ def looked_at(folder, target, places):
     def placed(found):
         return "{}:{}:".format(*places[int(found[1]) - 1])
 
-    return done.returncode, re.sub(re.escape(str(target)) + r":(\d+):", placed, done.stdout)
+    return done.returncode, re.sub(re.escape(str(target)) + r":(\d+):", placed, done.stdout) if places else done.stdout
 
 
 def main():
