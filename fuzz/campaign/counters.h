@@ -32,7 +32,7 @@ struct Counters {
   std::map<std::string, std::uint64_t> hits;  // executions that differed, by group_of()
 
   [[nodiscard]] double accepted_share() const;
-  [[nodiscard]] std::uint64_t count(Acceptance acceptance) const;
+  [[nodiscard]] std::uint64_t count(Acceptance of) const;
   // Executions that differed.
   [[nodiscard]] std::uint64_t differed() const;
   // Executions a second of a worker; 0 where no time is known.
@@ -45,7 +45,7 @@ void add(Counters& total, const Trial& trial);
 void add(Counters& total, const Counters& part);
 
 // As lines of names and numbers.
-std::string write_counters(const Counters& counters);
+std::string write_counters(const Counters& r);
 // Reads them back; lines it does not know are left out.
 Counters read_counters(std::string_view text);
 
