@@ -493,7 +493,7 @@ for line in sys.stdin:
   for (const std::string how : {"hang", "drip", "chatter", "hello"}) {
     const std::string asked = folder.path(how);
     const Outcome outcome = toolcomp("certify --controller 'python3 " + script + " " + how + " " + asked +
-                                     "' --timeout 1 --report " + folder.path("report") + " " + kPlate);
+                                     "' --timeout 5 --report " + folder.path("report") + " " + kPlate);
     EXPECT_EQ(outcome.status, 1) << how << outcome.err;
     EXPECT_LE(read(asked).size(), 5U) << how << outcome.out;
     const bool said = outcome.out.find("it does not answer") != std::string::npos;
