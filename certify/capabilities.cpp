@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "spec/language/alarm.h"
 #include "spec/language/fields.h"
 #include "spec/language/input_error.h"
 #include "spec/language/outside_json.h"
@@ -122,6 +123,12 @@ bool equal_offsets(const std::map<std::uint32_t, spec::OffsetEntry>& a,
     });
   };
   return covered(a, b) && covered(b, a);
+}
+
+bool equal_alarms(const spec::Setup& a, const spec::Setup& b) {
+  return std::ranges::all_of(spec::alarms(), [&](const spec::AlarmInfo& alarm) {
+    return spec::alarm_number(alarm.cause, a) == spec::alarm_number(alarm.cause, b);
+  });
 }
 
 // What counts where a setup does not give a parameter stands in the registry.
@@ -307,7 +314,7 @@ std::string why_not_applicable(const Capabilities& capabilities, const spec::Cas
 
 bool same_meaning(const spec::Setup& a, const spec::Setup& b) {
   if (a.control != b.control || a.axes != b.axes || a.memory != b.memory || a.offset_count != b.offset_count ||
-      static_cast<const spec::SetupKeys&>(a) != b)
+      static_cast<const spec::SetupKeys&>(a) != b || !equal_alarms(a, b))
     return false;
   for (std::size_t i = 0; i < a.workpiece.size(); ++i)
     if (!equal_tables(a.workpiece.at(i), b.workpiece.at(i))) return false;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "certify/program_text.h"
+#include "spec/language/alarm.h"
 #include "spec/language/decimal.h"
 
 namespace toolcomp::certify {
@@ -51,6 +52,7 @@ std::string key_of(const Candidate& c) {
       key += ' ' + to_string(d);
     key += tool.l ? "L" : "";
   }
+  for (const auto& [cause, shown] : c.setup.alarms) key += std::string(info(cause).name) + ':' + shown + ' ';
   for (const auto& [number, row] : c.setup.tcs)
     key += '|' + std::to_string(number) + ' ' + to_string(row.dl) + ' ' + to_string(row.dr) + ' ' + to_string(row.dr2);
   for (const auto& [name, points] : c.setup.dr2_tables) {
@@ -264,6 +266,7 @@ class Shrinker {
       attempt(std::move(candidate));
     }
     entries([](spec::Setup& s) -> auto& { return s.parameters; });
+    entries([](spec::Setup& s) -> auto& { return s.alarms; });
     entries([](spec::Setup& s) -> auto& { return s.h; });
     entries([](spec::Setup& s) -> auto& { return s.d; });
     for (std::size_t i = 0; i < best_.setup.workpiece.size(); ++i)

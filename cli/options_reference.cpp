@@ -117,7 +117,7 @@ void define_corpus(CommandLine& line) {
 void define_spec(CommandLine& line) {
   CLI::App* family = line.family(
       "spec",
-      "The clauses, and the keys and parameters of setups\n"
+      "The clauses, the keys and parameters of setups, and the alarms\n"
       "Prints the clauses that the rules are made of, where each is found in the sources, and what the golden corpus "
       "exercises of them.");
   const auto options = std::make_shared<SpecOptions>();
@@ -135,6 +135,7 @@ void define_spec(CommandLine& line) {
   add("sections", "The sections", spec_sections);
   add("keys", "The keys of a setup", spec_keys);
   add("parameters", "The parameters of a setup", spec_parameters);
+  add("alarms", "The alarms by cause, with their numbers", spec_alarms);
   family->footer(R"(Examples:
   A clause with its source:
     $ toolcomp spec show fanuc.cutter-b.mode

@@ -36,6 +36,7 @@ int spec_show(const SpecOptions& options) { return print(spec::show_clause(optio
 int spec_sections(const SpecOptions& options) { return print(spec::list_sections(format_of(options))); }
 int spec_keys(const SpecOptions& options) { return print(spec::list_keys(format_of(options))); }
 int spec_parameters(const SpecOptions& options) { return print(spec::list_parameters(format_of(options))); }
+int spec_alarms(const SpecOptions& options) { return print(spec::list_alarms(format_of(options))); }
 
 int spec_trace(const SpecOptions& options) {
   const std::filesystem::path folder = folder_of(options, spec::default_source());

@@ -203,6 +203,7 @@ int spec_trace(const SpecOptions& options);
 int spec_coverage(const SpecOptions& options);
 int spec_sections(const SpecOptions& options);
 int spec_keys(const SpecOptions& options);
+int spec_alarms(const SpecOptions& options);
 int spec_parameters(const SpecOptions& options);
 
 struct KitOptions {

@@ -93,7 +93,9 @@ Data setup_data(const spec::Case& c) {
       flag(setup.rotary_angles == spec::RotaryAngles::programmed),
       whole(c.samples),
       flag(setup.cutter_compensation == spec::CutterCompensationType::b),
-      flag(setup.type_b_without_perpendicular)};
+      flag(setup.type_b_without_perpendicular),
+      flag(setup.series == spec::Series::series_30i),
+      flag(setup.tip_control_cancel == spec::TipControlCancel::moves)};
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 // default, and
 //   a LETTERS (axes)   p NUMBER[#BIT] VALUE   m a|b|c COUNT   h NUMBER GEOMETRY WEAR   d NUMBER GEOMETRY WEAR
 //   w 54…59 AXIS VALUE   o AXIS VALUE (position)   r 1…4 AXIS VALUE   f AXIS VALUE (floating reference)
-//   t AXIS VALUE (measurement)   n COUNT (samples)
+//   b CAUSE NUMBER (alarms)   t AXIS VALUE (measurement)   n COUNT (samples)
 // of a Heidenhain control its keys, a, o, and
 //   c heidenhain (before all others)   y TENTHS R R2 DL DR DR2 [L] (a tool)   e NAME (of the tool before)   g NAME (its
 //   table of deviations)   j NUMBER DL DR DR2 (a row of corrections)   q ANGLE DEVIATION NAME (a point of that table)
@@ -20,6 +20,7 @@
 #include <optional>
 #include <tuple>
 #include "fuzz/oracle/number.h"
+#include "spec/language/alarm.h"
 #include "spec/language/parameter.h"
 #include "spec/language/setup_key.h"
 
@@ -257,6 +258,10 @@ void apply(Setup& setup, const Line& line) {
     case 'a':
       if (all_different_axes(first)) setup.axes = spec::Axes(first);
       break;
+    case 'b':
+      if (const auto cause = spec::find_alarm(first); cause && spec::is_alarm_number(line.word[2]))
+        setup.alarms[*cause] = line.word[2];
+      break;
     case 'o':
       put(setup.position, first, line.word[2]);
       break;
@@ -315,6 +320,7 @@ std::string encode(const spec::Case& c) {
   for (const auto& [id, value] : s.parameters)
     out += id.bit < 0 ? fmt::format("p {} {}\n", id.number, spec::to_string(value))
                       : fmt::format("p {}#{} {}\n", id.number, id.bit, spec::to_string(value));
+  for (const auto& [cause, shown] : s.alarms) out += fmt::format("b {} {}\n", info(cause).name, shown);
   if (s.memory != spec::OffsetMemory::a || s.offset_count != kDefaultCount)
     out += fmt::format("m {} {}\n", "abc"[static_cast<int>(s.memory)], s.offset_count);
   add(out, 'h', s.h);

@@ -13,6 +13,7 @@
 
 #include "spec/language/axes.h"
 #include "spec/language/decimal.h"
+#include "spec/parameters/alarm_causes.h"
 #include "spec/parameters/keys.h"
 
 namespace toolcomp::spec {
@@ -64,6 +65,7 @@ struct Setup : SetupKeys {
   Control control = Control::fanuc;
   Axes axes;
   std::map<ParameterId, Decimal> parameters;
+  std::map<AlarmCause, std::string> alarms;  // numbers of this control where they are others than those of its series
 
   OffsetMemory memory = OffsetMemory::a;
   std::uint32_t offset_count = 400;

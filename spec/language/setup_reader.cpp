@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "spec/language/alarm.h"
 #include "spec/language/parameter.h"
 #include "spec/language/setup_document.h"
 #include "spec/language/setup_format.h"
@@ -79,6 +80,24 @@ void read_parameter(const Member& member, const Reader& read, Setup& setup) {
     read.fail(member.value.at, "parameters." + name + ": expected " + expected_value(*id, setup.axes) + ", found " +
                                    in_quotes(member.value.text));
   setup.parameters[*id] = value;
+}
+
+// [alarms]: the numbers, or names, that this control shows.
+void read_alarms(const Node& node, const Reader& read, Setup& setup) {
+  read.expect(node, Kind::table, "alarms");
+  std::vector<std::string_view> names;
+  for (const AlarmInfo& alarm : alarms()) names.push_back(alarm.name);
+  for (const Member& member : node.members) {
+    const std::optional<AlarmCause> cause = find_alarm(member.name);
+    if (!cause)
+      read.fail(member.at, "alarms: " + in_quotes(member.name) + " is no cause (`toolcomp spec alarms` lists them)" +
+                               did_you_mean(member.name, names));
+    const std::string& number = read.string(member.value, "alarms." + member.name);
+    if (!is_alarm_number(number))
+      read.fail(member.value.at, "alarms." + member.name + ": expected 1 to 32 letters, digits and _ - / . as in " +
+                                     in_quotes("PS0022") + ", found " + in_quotes(number));
+    setup.alarms[*cause] = number;
+  }
 }
 
 OffsetEntry entry_from(const Node& node, const std::string& name, const Reader& read) {
@@ -179,9 +198,9 @@ void read_reference(const Node& node, const Reader& read, Setup& setup) {
 }
 
 // Tables of a setup, in the order in which they are written, and axes.
-constexpr std::array<std::string_view, 6> kFanucTables{"parameters", "offsets",   "workpiece",
+constexpr std::array<std::string_view, 7> kFanucTables{"parameters", "alarms",    "offsets",    "workpiece",
                                                        "position",   "reference", "measurement"};
-constexpr std::array<std::string_view, 4> kHeidenhainTables{"position", "tool", "correction", "dr2table"};
+constexpr std::array<std::string_view, 5> kHeidenhainTables{"alarms", "position", "tool", "correction", "dr2table"};
 
 // Every name of a setup of this control.
 std::vector<std::string_view> names_of(Control control) {
@@ -243,6 +262,7 @@ Setup setup_from(const Node& node, const Reader& read) {
     read.expect(*parameters, Kind::table, "parameters");
     for (const Member& member : parameters->members) read_parameter(member, read, setup);
   }
+  if (const Node* alarms = node.find("alarms")) read_alarms(*alarms, read, setup);
   if (const Node* offsets = node.find("offsets")) read_offsets(*offsets, read, setup);
   if (const Node* workpiece = node.find("workpiece")) read_workpiece(*workpiece, read, setup);
   if (const Node* position = node.find("position")) setup.position = axis_table(*position, "position", setup, read);

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <string>
 
+#include "spec/language/alarm.h"
 #include "spec/language/json_text.h"
 #include "spec/language/parameter.h"
 #include "spec/language/setup_format.h"
@@ -10,14 +11,16 @@
 namespace toolcomp::spec {
 namespace {
 
-constexpr std::string_view kHead = R"schema({
+constexpr std::string_view kSchemaHead = R"schema({
   "$schema": "https://json-schema.org/draft/2020-12/schema",
   "$id": "setup.schema.json",
   "title": "Setup of a control",
   "description": "A TOML file or the setup of a case. Decimals are exact: write them as numbers or in quotes, without exponent and with at most 18 digits.",
   "oneOf": [{ "$ref": "#/$defs/fanuc" }, { "$ref": "#/$defs/heidenhain" }],
   "$defs": {
-    "fanuc": {
+)schema";
+
+constexpr std::string_view kSchemaFanucHead = R"schema(    "fanuc": {
       "description": "A FANUC control.",
       "type": "object",
       "additionalProperties": false,
@@ -25,22 +28,28 @@ constexpr std::string_view kHead = R"schema({
         "control": { "description": "Whose rules apply.", "const": "fanuc", "default": "fanuc" },
 )schema";
 
-constexpr std::string_view kFanucAxes = R"schema(        "axes": {
+constexpr std::string_view kSchemaAlarmsTail = R"schema(] },
+      "additionalProperties": { "type": "string", "pattern": "^[A-Za-z0-9_/.-]{1,32}$" }
+    },
+)schema";
+
+constexpr std::string_view kSchemaFanucAxes = R"schema(        "axes": {
           "description": "Controlled axes 1, 2, 3, …: the numbers that parameters such as 19681 mean.",
           "type": "array", "items": { "enum": ["A", "B", "C", "U", "V", "W", "X", "Y", "Z"] },
           "minItems": 1, "maxItems": 9, "uniqueItems": true, "default": ["X", "Y", "Z"]
         },
 )schema";
 
-constexpr std::string_view kParameters = R"schema(        "parameters": {
+constexpr std::string_view kSchemaParameters = R"schema(        "parameters": {
           "description": "Parameters by number, bits by number#bit.",
           "type": "object", "additionalProperties": false,
           "properties": {
 )schema";
 
-constexpr std::string_view kFanucTables = R"schema(
+constexpr std::string_view kSchemaFanucTables = R"schema(
           }
         },
+        "alarms": { "$ref": "#/$defs/alarms" },
         "offsets": {
           "description": "Tool offset memory.",
           "type": "object", "additionalProperties": false,
@@ -82,7 +91,7 @@ constexpr std::string_view kFanucTables = R"schema(
         "control": { "description": "Whose rules apply.", "const": "heidenhain" },
 )schema";
 
-constexpr std::string_view kHeidenhainAxes = R"schema(        "axes": {
+constexpr std::string_view kSchemaHeidenhainAxes = R"schema(        "axes": {
           "description": "Axes that a program may name; X, Y and Z are among them.",
           "type": "array", "items": { "enum": ["A", "B", "C", "U", "V", "W", "X", "Y", "Z"] },
           "allOf": [{ "contains": { "const": "X" } }, { "contains": { "const": "Y" } }, { "contains": { "const": "Z" } }],
@@ -90,8 +99,9 @@ constexpr std::string_view kHeidenhainAxes = R"schema(        "axes": {
         },
 )schema";
 
-constexpr std::string_view kHeidenhainTables =
-    R"schema(        "position": { "description": "Where the program starts: workpiece coordinates, 0 where not given.", "$ref": "#/$defs/axis_values" },
+constexpr std::string_view kSchemaHeidenhainTables =
+    R"schema(        "alarms": { "$ref": "#/$defs/alarms" },
+        "position": { "description": "Where the program starts: workpiece coordinates, 0 where not given.", "$ref": "#/$defs/axis_values" },
         "tool": {
           "description": "Rows of the tool table, mm; numbers and names occur once.",
           "type": "array",
@@ -267,13 +277,25 @@ std::string parameter_properties() {
   return text;
 }
 
+std::string alarms_definition() {
+  std::string text = R"(    "alarms": {
+      "description": "Numbers or names that this control shows, by cause, where they are others than those of its series.",
+      "type": "object", "propertyNames": { "enum": [)";
+  for (const AlarmInfo& alarm : alarms()) {
+    if (alarm.cause != alarms().front().cause) text += ", ";
+    text.append(1, '"').append(alarm.name).append(1, '"');
+  }
+  return text.append(kSchemaAlarmsTail);
+}
+
 }  // namespace
 
 std::string_view setup_schema() {
-  static const std::string schema = std::string(kHead) + key_properties(Control::fanuc, kFanucAxes) +
-                                    std::string(kParameters) + parameter_properties() + std::string(kFanucTables) +
-                                    key_properties(Control::heidenhain, kHeidenhainAxes) +
-                                    std::string(kHeidenhainTables);
+  static const std::string schema = std::string(kSchemaHead) + alarms_definition() + std::string(kSchemaFanucHead) +
+                                    key_properties(Control::fanuc, kSchemaFanucAxes) +
+                                    std::string(kSchemaParameters) + parameter_properties() + std::string(kSchemaFanucTables) +
+                                    key_properties(Control::heidenhain, kSchemaHeidenhainAxes) +
+                                    std::string(kSchemaHeidenhainTables);
   return schema;
 }
 

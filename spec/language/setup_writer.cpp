@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "spec/language/alarm.h"
 #include "spec/language/json_text.h"
 #include "spec/language/setup_format.h"
 #include "spec/language/setup_key.h"
@@ -74,6 +75,10 @@ std::vector<Table> tables(const Setup& setup, Format format) {
     parameters.emplace_back(key(std::to_string(id.number) + bit, bit.empty()), number(value));
   }
   add("", "parameters", std::move(parameters));
+  std::vector<Pair> alarms;
+  for (const auto& [cause, shown] : setup.alarms)
+    alarms.emplace_back(key(std::string(info(cause).name), true), '"' + shown + '"');
+  add("", "alarms", std::move(alarms));
   add("offsets", "H", entries(setup.h));
   add("offsets", "D", entries(setup.d));
   for (std::size_t i = 0; i < setup.workpiece.size(); ++i)

@@ -22,11 +22,11 @@ constexpr std::string_view kKeys[] = {"id",    "control", "values",  "type", "de
 constexpr std::int64_t kMostPercent = 99;
 constexpr std::string_view kOwnTexts[] = {"text", "comment"};
 // What else a setup has: no key is called so.
-constexpr std::string_view kOtherNames[] = {"control",   "axes",       "parameters", "offsets",
+constexpr std::string_view kOtherNames[] = {"control",   "axes",       "parameters", "alarms", "offsets",
                                             "workpiece", "position",   "reference",  "measurement",
                                             "tool",      "correction", "dr2table"};
 // Of lines of a fuzzed case that are no keys (fuzz/gen/encode.cpp).
-constexpr std::string_view kOtherLetters = "acdefghjmnopqrtwy";
+constexpr std::string_view kOtherLetters = "abcdefghjmnopqrtwy";
 
 constexpr std::string_view kValuesFile = R"(// Generated from the registry of keys. Do not edit.
 #pragma once
@@ -69,8 +69,9 @@ struct Key {
   std::int64_t percent = 0;
 };
 
-std::string enumerator(const std::string& value) {
-  std::string name;
+// IS-B: is_b; 16i of the key series: series_16i.
+std::string enumerator(const std::string& key, const std::string& value) {
+  std::string name = std::isdigit(static_cast<unsigned char>(value[0])) != 0 ? key + "_" : "";
   for (const char c : value) name += c == '-' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return name;
 }
@@ -185,7 +186,7 @@ class Keys {
 };
 
 std::string value_of(const Key& k) {
-  return k.boolean ? k.values[k.default_value] : k.type + "::" + enumerator(k.values[k.default_value]);
+  return k.boolean ? k.values[k.default_value] : k.type + "::" + enumerator(k.id, k.values[k.default_value]);
 }
 
 // An array of texts, where there are any, and what names it.
@@ -209,7 +210,7 @@ std::string key_values(const Registry& registry) {
   for (const Key& k : keys.list()) {
     std::vector<std::string> names;
     names.reserve(k.values.size());
-    for (const std::string& value : k.values) names.push_back(enumerator(value));
+    for (const std::string& value : k.values) names.push_back(enumerator(k.id, value));
     if (!k.boolean)
       enumerations += fmt::format("enum class {} : std::uint8_t {{ {} }};\n", k.type, fmt::join(names, ", "));
     members += fmt::format("  {} {} = {};\n", k.type, k.id, value_of(k));

@@ -3,7 +3,9 @@
 #include <fmt/ranges.h>
 
 #include <array>
+#include <utility>
 
+#include "spec/language/alarm.h"
 #include "spec/language/json_text.h"
 #include "spec/language/parameter.h"
 #include "spec/language/setup_key.h"
@@ -102,10 +104,38 @@ std::string json() {
   return out + "]\n";
 }
 
+std::string alarms_markdown() {
+  std::string out = "| cause | 16i | 30i | text | source |\n|---|---|---|---|---|\n";
+  for (const AlarmInfo& a : alarms())
+    out += fmt::format("| `{}` | {} | {} | {} | {} |\n", a.name, a.number_16i, a.number_30i, a.text, a.source);
+  return out;
+}
+
+std::string alarms_json() {
+  std::string out = "[";
+  for (const AlarmInfo& a : alarms()) {
+    out += fmt::format("{}{{\"cause\":\"{}\"", out.size() == 1 ? "\n" : ",\n", a.name);
+    for (const auto& [key, text] : {std::pair<std::string_view, std::string_view>{"16i", a.number_16i},
+                                    {"30i", a.number_30i},
+                                    {"text", a.text},
+                                    {"source", a.source}}) {
+      if (text.empty()) continue;
+      out += fmt::format(",\"{}\":", key);
+      append_json_string(out, text);
+    }
+    out += '}';
+  }
+  return out + "]\n";
+}
+
 }  // namespace
 
 std::string list_keys(ReportFormat format) { return format == ReportFormat::json ? keys_json() : keys_markdown(); }
 
 std::string list_parameters(ReportFormat format) { return format == ReportFormat::json ? json() : markdown(); }
+
+std::string list_alarms(ReportFormat format) {
+  return format == ReportFormat::json ? alarms_json() : alarms_markdown();
+}
 
 }  // namespace toolcomp::spec

@@ -24,9 +24,10 @@ std::string show_clause(std::string_view id, ReportFormat format);
 // The sections and how many clauses of which kind each has.
 std::string list_sections(ReportFormat format);
 
-// The registry of keys, and that of parameters, as tables in Markdown.
+// The registry of keys, that of parameters, and the alarms by cause, as tables in Markdown.
 std::string list_keys(ReportFormat format);
 std::string list_parameters(ReportFormat format);
+std::string list_alarms(ReportFormat format);
 
 // The trace table (indexed by Clause): what marks, tests, proves and exercises each clause.
 std::string show_trace(std::span<const ClauseTrace> table, ReportFormat format);

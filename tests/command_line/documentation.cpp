@@ -24,7 +24,7 @@ TEST(Documentation, TheTableOfSectionsIsCurrent) {
 
 TEST(Documentation, TheTablesOfKeysAndParametersAreCurrent) {
   const std::string readme = read(TOOLCOMP_SOURCE_DIR "/spec/parameters/README.md");
-  for (const std::string name : {"keys", "parameters"}) {
+  for (const std::string name : {"keys", "parameters", "alarms"}) {
     const std::string begin = "<!-- " + name + " -->\n";
     const std::size_t from = readme.find(begin);
     ASSERT_NE(from, std::string::npos);

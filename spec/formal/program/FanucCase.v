@@ -35,7 +35,7 @@ Definition setup_of {num} {N : Numbers num} (d : data) : setup num :=
     (table_of (fun row => values_of (entry_at row 1)) (at_ 12%nat))
     (values_of (at_ 13%nat)) (table_of (fun row => values_of (entry_at row 1)) (at_ 14%nat)) (values_of (at_ 15%nat))
     (map (maybe_of number_of_data) (entries (at_ 16%nat))) (flag_of (at_ 17%nat)) (whole_of (at_ 18%nat))
-    (flag_of (at_ 19%nat)) (flag_of (at_ 20%nat)) None.
+    (flag_of (at_ 19%nat)) (flag_of (at_ 20%nat)) (flag_of (at_ 21%nat)) (flag_of (at_ 22%nat)) None.
 
 (** A whole number in decimals. *)
 Fixpoint digits_of (steps : nat) (i : Z) (behind : string) : string :=

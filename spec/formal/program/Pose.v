@@ -67,7 +67,7 @@ Definition with_mechanism {num} {N : Numbers num} (s : setup num) : setup num :=
   Setup (axes s) (inches s) (least_increment s) (parameter_bit s) (parameter s) (whole_parameter s) (memory s)
     (offset_count s) (h_offsets s) (d_offsets s) (g49_sets_h0 s) (workpiece s) (external s) (additional s) (start s)
     (reference s) (floating s) (signal_at s) (angles_as_programmed s) (parts_of_block s) (cutter_b s) (without_perpendicular s)
-    (kinematics_by_parameters s).
+    (series_30i s) (tip_cancel_moves s) (kinematics_by_parameters s).
 
 (** * Older parameters *)
 

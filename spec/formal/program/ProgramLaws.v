@@ -26,7 +26,7 @@ Qed.
 Definition plain_setup : setup R :=
   Setup [Letter.X; Letter.Y; Letter.Z] false IS_B (fun _ => None) (fun _ => None) (fun _ => None) MemoryA 99 [(1%Z, (5%R, 0%R))] [] false
     (repeat (repeat 0%R 3) 6) (repeat 0%R 3) [] (repeat 0%R 3) [] (repeat 0%R 3)
-    [None; None; Some 100%R] false 0%Z false false None.
+    [None; None; Some 100%R] false 0%Z false false false false None.
 Definition natural letter (value : Z) : word R := Word letter (IZR value) (Some (10 * value)%Z) false false.
 Definition up : block R := Block [natural Letter.G 43; natural Letter.Z 10; natural Letter.H 1] None.
 

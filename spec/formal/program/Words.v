@@ -85,6 +85,8 @@ Record setup (num : Type) := Setup {
   parts_of_block : Z;                            (* samples of a case; 0: none are asked for *)
   cutter_b : bool;                               (* G39 to G42 are cutter compensation B *)
   without_perpendicular : bool;                  (* type_b_without_perpendicular *)
+  series_30i : bool;                             (* series: else 16i *)
+  tip_cancel_moves : bool;                       (* tip_control_cancel *)
   mechanism : option (kinematics num)            (* by its parameters: Pose.v *)
 }.
 Arguments Setup {num}. Arguments axes {num}. Arguments inches {num}. Arguments least_increment {num}. Arguments parameter_bit {num}. Arguments parameter {num}.
@@ -94,6 +96,7 @@ Arguments start {num}. Arguments reference {num}. Arguments floating {num}. Argu
 Arguments mechanism {num}.
 Arguments whole_parameter {num}. Arguments angles_as_programmed {num}. Arguments parts_of_block {num}.
 Arguments cutter_b {num}. Arguments without_perpendicular {num}.
+Arguments series_30i {num}. Arguments tip_cancel_moves {num}.
 
 (** A bit that the setup does not give. *)
 Definition bit {num} (s : setup num) (parameter : string) : bool := or_else (parameter_bit s parameter) false.

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "spec/language/alarm.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "spec/parameters/alarm_table.h"
+
+namespace toolcomp::spec {
+
+std::span<const AlarmInfo> alarms() { return kAlarms; }
+
+const AlarmInfo& info(AlarmCause cause) { return kAlarms.at(static_cast<std::size_t>(cause) - 1); }
+
+std::optional<AlarmCause> find_alarm(std::string_view name) {
+  const auto* const found = std::ranges::find(kAlarms, name, &AlarmInfo::name);
+  if (found == kAlarms.end()) return std::nullopt;
+  return found->cause;
+}
+
+bool is_alarm_number(std::string_view text) {
+  constexpr std::size_t kLongest = 32;
+  return !text.empty() && text.size() <= kLongest &&
+         text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-/.") ==
+             std::string_view::npos;
+}
+
+Name alarm_number(AlarmCause cause, const Setup& setup) {
+  if (const auto own = setup.alarms.find(cause); own != setup.alarms.end()) return {own->second};
+  return setup.series == Series::series_30i ? info(cause).number_30i : info(cause).number_16i;
+}
+
+}  // namespace toolcomp::spec

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// The alarms: causes, and what the control of a setup shows for each (spec/alarms.toml).
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "spec/language/name.h"
+#include "spec/language/setup.h"
+#include "spec/parameters/alarm_causes.h"
+
+namespace toolcomp::spec {
+
+// A cause as the table states it.
+struct AlarmInfo {
+  AlarmCause cause;
+  std::string_view name;        // of the cause: "arc_without_center"
+  std::string_view number_16i;  // "PS0022"; empty: that series does not raise it
+  std::string_view number_30i;
+  const char* text;
+  std::string_view source;
+};
+
+// In the order of the table, which is that of AlarmCause behind `none`.
+std::span<const AlarmInfo> alarms();
+// Of a cause other than `none`.
+const AlarmInfo& info(AlarmCause cause);
+// Nothing where no cause has this name.
+std::optional<AlarmCause> find_alarm(std::string_view name);
+// What the control of the setup shows: its own number ([alarms]), else that of its series.
+Name alarm_number(AlarmCause cause, const Setup& setup);
+// What a setup may give as a number of its own: 1 to 32 letters, digits and _ - / .
+bool is_alarm_number(std::string_view text);
+
+}  // namespace toolcomp::spec
