@@ -8,6 +8,8 @@
 #include <string>
 #include <type_traits>
 
+#include "spec/language/alarm.h"
+
 namespace toolcomp::c {
 namespace {
 
@@ -75,6 +77,7 @@ void CallbackSink::on(const fast::Event& event) {
   put_space(out, event.space);
   out.number = number.c_str();
   out.message = event.message;
+  out.alarm = event.alarm == spec::AlarmCause::none ? "" : info(event.alarm).name.data();
   out.value = setting ? event.value : kNone;
   on_event_(user_, &out);
 }

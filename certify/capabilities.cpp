@@ -126,9 +126,10 @@ bool equal_offsets(const std::map<std::uint32_t, spec::OffsetEntry>& a,
 }
 
 bool equal_alarms(const spec::Setup& a, const spec::Setup& b) {
-  return std::ranges::all_of(spec::alarms(), [&](const spec::AlarmInfo& alarm) {
-    return spec::alarm_number(alarm.cause, a) == spec::alarm_number(alarm.cause, b);
-  });
+  const spec::AlarmNumbers of_a(a);
+  const spec::AlarmNumbers of_b(b);
+  return std::ranges::all_of(spec::alarms(),
+                             [&](const spec::AlarmInfo& alarm) { return of_a(alarm.cause) == of_b(alarm.cause); });
 }
 
 // What counts where a setup does not give a parameter stands in the registry.

@@ -47,6 +47,7 @@ FieldSet fields_of(const model::Event& event) {
     case EventKind::alarm:
     case EventKind::warning:
       fields.add({Field::number, Field::message});
+      add_if(fields, event.alarm != spec::AlarmCause::none, Field::cause);
       return fields;
     case EventKind::setting:
       fields.add({Field::name, Field::value});

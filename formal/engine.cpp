@@ -2,12 +2,16 @@
 #include "formal/engine.h"
 
 #include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
 #include <tuple>
 #include <utility>
 
 #include "formal/case_data.h"
 #include "formal/data.h"
 #include "formal/events.h"
+#include "spec/language/alarm.h"
 
 namespace toolcomp::formal {
 
@@ -28,6 +32,19 @@ std::vector<std::string> sections() {
           "heidenhain/programmed-contour"};
 }
 
+namespace {
+
+// The specification names causes. Throws where it names one that the table of alarms does not have.
+void name_alarm(spec::Event<exact::Real>& event, const spec::AlarmNumbers& numbers) {
+  const std::optional<spec::AlarmCause> cause = spec::find_alarm(event.number.view());
+  if (!cause) throw std::logic_error("no alarm of spec/alarms.toml: " + std::string(event.number.view()));
+  event.alarm = *cause;
+  event.number = numbers(*cause);
+  event.message = spec::info(*cause).text;
+}
+
+}  // namespace
+
 Run run(const spec::Case& c) {
   const bool fanuc = c.dialect == "fanuc";
   CaseData made = fanuc ? fanuc_case(c) : klartext_case(c);
@@ -43,6 +60,7 @@ Run run(const spec::Case& c) {
     result.not_said = "the formal specification is not run for " + what;
     return result;
   }
+  const spec::AlarmNumbers numbers(c.setup);
   for (const Data& data : said.list().at(0).list()) {
     spec::Event<exact::Real> event =
         fanuc ? fanuc_event(data.list(), c.setup.axes) : klartext_event(data.list(), c.setup.axes);
@@ -50,6 +68,7 @@ Run run(const spec::Case& c) {
     event.line = place.line;
     event.n = place.n;
     if (event.number == spec::Name(kBadInput)) std::rethrow_exception(made.bad_input);
+    if (event.kind == spec::EventKind::alarm) name_alarm(event, numbers);
     result.events.push_back(std::move(event));
   }
   return result;

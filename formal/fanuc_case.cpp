@@ -6,6 +6,7 @@
 
 #include "formal/case_data.h"
 #include "formal/plain.h"
+#include "spec/language/alarm.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/fanuc/block.h"
 #include "spec/language/fanuc/program_reader.h"
@@ -18,7 +19,7 @@ Data block_data(const spec::Block& block) {
   for (const spec::Word& word : block.words())
     words.emplace_back(
         List{letter(word.address), number(word.value), flag(word.value.negative), flag(word.value.point)});
-  return List{block.alarm ? std::string(block.alarm->number.view()) : std::string(), std::move(words)};
+  return List{block.alarm ? std::string(spec::info(block.alarm->cause).name) : std::string(), std::move(words)};
 }
 
 template <class Tables>

@@ -8,6 +8,7 @@
 
 #include "formal/case_data.h"
 #include "formal/plain.h"
+#include "spec/language/alarm.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/heidenhain/klartext_block.h"
 #include "spec/language/heidenhain/klartext_reader.h"
@@ -142,7 +143,7 @@ bool has_functions(Statement statement) {
 }
 
 Data block_data(const Block& block) {
-  if (block.alarm) return List{std::string(block.alarm->number.view()), List{}, List{}};
+  if (block.alarm) return List{std::string(spec::info(block.alarm->cause).name), List{}, List{}};
   List functions;
   if (has_functions(block.statement))
     for (std::size_t i = 0; i < block.functions; ++i) functions.push_back(whole(block.function.at(i)));

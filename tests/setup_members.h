@@ -46,7 +46,7 @@ inline std::vector<Changed> changed_keys() {
   return list;
 }
 
-static_assert(member_count<spec::Setup>() == 17, "change a new member below: the keys are one, each other has a line");
+static_assert(member_count<spec::Setup>() == 18, "change a new member below: the keys are one, each other has a line");
 static_assert(member_count<spec::OffsetEntry>() == 2 && member_count<spec::CorrectionRow>() == 3 &&
                   member_count<spec::ToolRow>() == 9,
               "change a new member of a row below");
@@ -61,6 +61,7 @@ inline std::vector<Changed> changed_tables_of_fanuc() {
   using spec::Setup;
   add("axes", [](Setup& s) { s.axes = spec::Axes("XYZB"); });
   add("parameters", [&](Setup& s) { s.parameters[{5010, -1}] = five; });
+  add("alarms", [](Setup& s) { s.alarms[spec::AlarmCause::interference] = "EX41"; });
   add("memory", [](Setup& s) { s.memory = spec::OffsetMemory::c; });
   add("offset_count", [](Setup& s) { s.offset_count = 99; });
   add("h", [&](Setup& s) { s.h[1] = {five, {}}; });

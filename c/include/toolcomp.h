@@ -120,6 +120,8 @@ typedef struct toolcomp_event {
   double tool_shift[3];  /* of the real tool against one without deltas */
   double contact[3];     /* where the cutter touches, and the surface normal there */
   double normal[3];
+
+  const char* alarm; /* alarms: the cause, the same for all series: "interference"; else "" */
 } toolcomp_event;
 
 /* Called for each event, in order. It must not call the engine it was called by, nor leave by longjmp. */

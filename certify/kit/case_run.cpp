@@ -94,7 +94,7 @@ std::string CaseRunner::end_of_case(const fuzz::ModelRun& run, const CaseLines& 
     ending_fails = event.line > lines.last;
     if (event.kind == spec::EventKind::undecided) return "the specification leaves open what happens";
     if (ending_fails || event.line < lines.first) return "it cannot be ended by a common safe block";
-    result.stop = Stop{std::string(event.number.view()), event.line - lines.first};
+    result.stop = Stop{event.alarm, std::string(event.number.view()), event.line - lines.first};
   }
   if (result.stop || end_of(run) == end_) return {};
   ending_fails = true;
@@ -107,7 +107,9 @@ std::string CaseRunner::shown(const fuzz::ModelRun& run, const CaseLines& lines,
   const bool moves = std::ranges::any_of(run.events, [&](const model::Event& event) {
     return event.kind == spec::EventKind::move && inside(lines, event.line);
   });
-  if (result.stop && result.stop->number == "PS0010") return "the control may know a code that the model does not";
+  if (result.stop &&
+      (result.stop->cause == spec::AlarmCause::unknown_code || result.stop->cause == spec::AlarmCause::g10_kind))
+    return "the control may know a code that the model does not";
   if (!result.stop && !moves) return "it moves nothing";
   result.shows = result.stop ? outcomes_.shown_by_alarm(run.recorder, run.events.back().clauses)
                              : outcomes_.reached(run.recorder, &frame_);

@@ -19,6 +19,7 @@ namespace toolcomp::certify::kit {
 spec::Setup program_setup(const Machine& machine, const Overlay& overlay, const spec::Setup& offsets);
 
 struct Stop {
+  spec::AlarmCause cause = spec::AlarmCause::none;
   std::string number;       // PS0041
   std::uint64_t block = 0;  // index of the case's block, from 0
 };

@@ -170,8 +170,9 @@ Screened screen(const Machine& machine, const spec::Case& vector) {
   for (const spec::Block& block : screened.blocks) {
     if (block.alarm)
       return {{},
-              block.alarm->number.view() == "PS0009" ? "it names an axis that the machine does not have"
-                                                     : "a block that cannot be read"};
+              block.alarm->cause == spec::AlarmCause::unknown_address
+                  ? "it names an axis that the machine does not have"
+                  : "a block that cannot be read"};
     for (const spec::Word& word : block.words())
       if (std::string why = refuse_word(machine, block, word); !why.empty()) return {{}, std::move(why)};
   }

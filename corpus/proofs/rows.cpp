@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "spec/language/alarm.h"
 #include "spec/language/axes.h"
 
 namespace toolcomp::corpus {
@@ -193,7 +194,7 @@ void write_event(Row& row, const TextEvent& event, const spec::Case& c) {
       break;
     case EventKind::alarm:
       row.whole(kAlarm);
-      row.text(event.number.view());
+      row.text(event.alarm == spec::AlarmCause::none ? event.number.view() : info(event.alarm).name);
       break;
     default:
       if (event.out_of_scope) return row.whole(kOther);

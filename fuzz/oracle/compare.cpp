@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "fuzz/oracle/number.h"
+#include "spec/language/alarm.h"
 #include "spec/language/naming_clause.h"
 
 namespace toolcomp::fuzz {
@@ -41,6 +42,14 @@ std::string_view name(spec::ArcDirection direction) { return direction == spec::
 constexpr double kHalfTurn = 180;  // degrees
 
 std::string text_of(const std::optional<std::uint64_t>& n) { return n ? fmt::format("{}", *n) : "none"; }
+
+// What an alarm shows, with its cause where the other shows the same.
+template <class Event, class Other>
+std::string shown(const Event& event, const Other& other) {
+  const std::string number(event.number.view());
+  if (event.alarm == spec::AlarmCause::none || event.number != other.number) return number;
+  return fmt::format("{} ({})", number, info(event.alarm).name);
+}
 
 std::string text_of(const spec::PermittedOutcomes& outcomes) {
   std::string text;
@@ -94,14 +103,16 @@ class Comparison {
   bool event() {
     if (expected_.kind != actual_.kind)
       return differ("kind", "kind", std::string(name(expected_.kind)), std::string(name(actual_.kind)));
-    // Alarms first by number: "PS5408 instead of PS5407" says more than a line.
+    // Alarms first by what they are: "PS5408 instead of PS5407" says more than a line. The cause counts where the
+    // controller names it, else the number.
+    const bool by_cause = expected_.alarm != spec::AlarmCause::none && actual_.alarm != spec::AlarmCause::none;
     const bool numbered = expected_.kind == EventKind::alarm || expected_.kind == EventKind::warning ||
                           expected_.kind == EventKind::undecided;
     if (numbered && rules_.judges("number")) {
       ++tally_.values;
-      if (expected_.number != actual_.number)
-        return differ(std::string(name(expected_.kind)), "number", std::string(expected_.number.view()),
-                      std::string(actual_.number.view()));
+      if (by_cause ? expected_.alarm != actual_.alarm : expected_.number != actual_.number)
+        return differ(std::string(name(expected_.kind)), "number", shown(expected_, actual_),
+                      shown(actual_, expected_));
     }
     if (expected_.line != actual_.line)
       return differ("line", "line", fmt::format("{}", expected_.line), fmt::format("{}", actual_.line));

@@ -16,6 +16,7 @@ spec::Event<Rational> Reading::event(const spec::TextEvent& e) {
   r.n = e.n;
   r.type = e.type;
   r.cause = e.cause;
+  r.alarm = e.alarm;
   r.number = e.number;
   r.permitted = e.permitted;
   r.out_of_scope = e.out_of_scope;

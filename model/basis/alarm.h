@@ -9,17 +9,21 @@
 
 #include "model/basis/event.h"
 #include "model/basis/recorder.h"
-#include "spec/language/name.h"
+#include "spec/language/alarm.h"
 
 namespace toolcomp::model {
+
+using spec::AlarmCause;
 
 // The block at fault makes nothing at all; the run ends with this alarm (docs/events.md, rules 4 and 5).
 class Alarm : public std::exception {
  public:
-  Alarm(spec::Name alarm_number, const char* text) : number(alarm_number), message(text) {}
+  // `more`: a static text that says more than the table of alarms; nullptr: none does.
+  explicit Alarm(AlarmCause raised, const char* more = nullptr)
+      : cause(raised), message(more != nullptr ? more : spec::info(raised).text) {}
   [[nodiscard]] const char* what() const noexcept override { return message; }
 
-  spec::Name number;       // PS0027, TOOL_DIRECTION_FORMAT
+  AlarmCause cause;
   const char* message;     // static text
   std::uint64_t line = 0;  // of the block at fault; 0: the block being interpreted
   std::optional<std::uint64_t> n;
@@ -45,9 +49,9 @@ class LeftOpen : public std::exception {
 }
 
 // Applies the clause that states the alarm, and raises it.
-[[noreturn]] inline void raise(Recorder& recorder, Clause clause, spec::Name number, const char* message) {
+[[noreturn]] inline void raise(Recorder& recorder, Clause clause, AlarmCause cause, const char* more = nullptr) {
   recorder.reach(clause);
-  throw Alarm(number, message);
+  throw Alarm(cause, more);
 }
 
 }  // namespace toolcomp::model

@@ -30,7 +30,7 @@ struct Engine::State {
         memory(setup, recorder),
         maker(setup, memory, recorder, samples > 1 || motions != nullptr),
         compensation(stages(setup), setup, memory, recorder, [this](const Step& step) { report(step); }),
-        reporter(setup.axes, recorder, sink, samples, motions) {
+        reporter(setup, recorder, sink, samples, motions) {
     if (motions != nullptr) motions->stand(maker.zero(), 0, {});
   }
 

@@ -17,14 +17,15 @@ Warning branch_warning() {
 
 }  // namespace
 
-Reporter::Reporter(const spec::Axes& axes, Recorder& recorder, EventSink& sink, std::uint32_t samples,
+Reporter::Reporter(const spec::Setup& setup, Recorder& recorder, EventSink& sink, std::uint32_t samples,
                    MotionSink* motions)
-    : axes_(axes),
+    : axes_(setup.axes),
+      numbers_(setup),
       recorder_(recorder),
       sink_(sink),
       motions_(motions),
       tip_moves_(
-          axes, samples, motions != nullptr,
+          setup.axes, samples, motions != nullptr,
           [this](const Move& move, std::shared_ptr<const InsideMove> inside) { report(move, std::move(inside)); },
           [this](Event sample) { report(std::move(sample)); }) {}
 
@@ -116,7 +117,8 @@ void Reporter::report(const Warning& warning) {
 
 void Reporter::report(const Alarm& alarm, const spec::ClauseList& clauses) {
   Event event = event_of(spec::EventKind::alarm, alarm);
-  event.number = alarm.number;
+  event.alarm = alarm.cause;
+  event.number = numbers_(alarm.cause);
   event.clauses = clauses;
   event.unmade = alarm.unmade;
   sink_.on(event);

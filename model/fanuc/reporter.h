@@ -19,7 +19,7 @@ namespace toolcomp::model {
 class Reporter {
  public:
   // `samples`: N of the fractions k/N inside blocks; 0: none. `motions`: null where nobody asks.
-  Reporter(const spec::Axes& axes, Recorder& recorder, EventSink& sink, std::uint32_t samples, MotionSink* motions);
+  Reporter(const spec::Setup& setup, Recorder& recorder, EventSink& sink, std::uint32_t samples, MotionSink* motions);
   Reporter(const Reporter&) = delete;
   Reporter& operator=(const Reporter&) = delete;
 
@@ -45,6 +45,7 @@ class Reporter {
   void report(const Warning& warning);
 
   spec::Axes axes_;
+  spec::AlarmNumbers numbers_;
   Recorder& recorder_;
   EventSink& sink_;
   MotionSink* motions_;

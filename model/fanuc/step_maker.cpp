@@ -97,7 +97,7 @@ void StepMaker::measure(Making& now) {
   if (measured.in_zone)
     pending_write_ = memory_.measured(length_.number(), measured.difference);
   else
-    now.step.alarm = Alarm("PS0080", "G37: the approach-end signal came too early or not at all");
+    now.step.alarm = Alarm(AlarmCause::no_signal);
   now.legs = std::move(measured.legs);
 }
 

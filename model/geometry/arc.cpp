@@ -6,11 +6,7 @@
 #include "model/geometry/plane_vector.h"
 
 namespace toolcomp::model {
-namespace {
-
-constexpr const char* kNoArc = "no arc of this radius joins start and end";
-
-}  // namespace
+namespace {}  // namespace
 
 Real swept_angle(const Real& sine, const Real& cosine, Sign side) {
   const Sign ahead = cosine.sign();
@@ -61,7 +57,7 @@ ArcGeometry arc_by_radius(Recorder& recorder, const PlanePoint& start, const Pla
   // fanuc.program.arc-radius-without-chord: R with an end that is the start, and R0, raise PS0023: full circles need I
   // J K.
   if (chord2.sign() == Sign::zero || radius.sign() == Sign::zero)
-    raise(recorder, Clause::fanuc_program_arc_radius_without_chord, "PS0023", kNoArc);
+    raise(recorder, Clause::fanuc_program_arc_radius_without_chord, AlarmCause::arc_radius_too_short);
 
   // The centre lies on the perpendicular bisector, at height h over the chord: h² = radius² − chord²/4.
   const Real radius2 = square(radius);
@@ -69,7 +65,7 @@ ArcGeometry arc_by_radius(Recorder& recorder, const PlanePoint& start, const Pla
   // fanuc.program.arc-radius: R gives the radius. An arc exists where R is at least half the chord; a smaller one
   // raises PS0023.
   const Sign reach = recorder.decide(Clause::fanuc_program_arc_radius, four_h2, 4 * radius2 + chord2);
-  if (reach == Sign::negative) throw Alarm("PS0023", kNoArc);
+  if (reach == Sign::negative) throw Alarm(AlarmCause::arc_radius_too_short);
   if (reach == Sign::positive && four_h2.sign() != Sign::positive) throw NotFinite();
   const Real height = reach == Sign::zero ? Real(0) : sqrt(four_h2 / (4 * chord2));  // h over the chord's length
 

@@ -95,7 +95,7 @@ void Engine::State::fail(const Alarm& alarm) {
   const spec::ClauseList clauses = recorder.take_clauses();
   guarded([&] {
     peripheral.finish();
-    report_alarm(alarm, current, clauses, sink);
+    report_alarm(alarm, spec::AlarmNumbers(setup), current, clauses, sink);
   });
 }
 

@@ -77,8 +77,7 @@ Solution solution(const Machine& machine, const Goal& goal, const Real& depth, i
 [[noreturn]] void unreachable(Recorder& recorder) {
   // fanuc.tool-center-point.unreachable: A direction that no position of the axes gives raises PS5459, the number the
   // manual has for no pair in range; it names the block that commands the direction.
-  raise(recorder, Clause::fanuc_tool_center_point_unreachable, "PS5459",
-        "a tool direction that the rotary axes cannot reach");
+  raise(recorder, Clause::fanuc_tool_center_point_unreachable, AlarmCause::unreachable);
 }
 
 }  // namespace

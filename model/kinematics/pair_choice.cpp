@@ -63,8 +63,7 @@ void PairChoice::require_ranges() const {
   // recollection.
   for (const Axis& axis : axes_)
     if (axis.range && axis.range->lower > axis.range->upper)
-      raise(recorder_, Clause::fanuc_tool_center_point_range_order, "PS5459",
-            "the lower limit of a rotary axis (19742, 19744) is above its upper limit");
+      raise(recorder_, Clause::fanuc_tool_center_point_range_order, AlarmCause::rotary_limits);
 }
 
 bool PairChoice::within(const Axis& axis, const Angle& position) const {
@@ -85,9 +84,7 @@ bool PairChoice::inside(const Pose& pose) const {
 void PairChoice::require_inside(const Pose& pose) const {
   // fanuc.tool-center-point.range-none: No pair with both axes in range raises PS5459; so does, with posture control,
   // an end pair outside, for there the branch is not free.
-  if (!inside(pose))
-    raise(recorder_, Clause::fanuc_tool_center_point_range_none, "PS5459",
-          "the end positions of the rotary axes are out of their ranges");
+  if (!inside(pose)) raise(recorder_, Clause::fanuc_tool_center_point_range_none, AlarmCause::unreachable);
 }
 
 PairChoice::Targets PairChoice::targets(const Axis& axis, const Angle& angle, const Angle& present) const {
@@ -253,9 +250,7 @@ Solution PairChoice::choose(Solutions solutions, const Pose& present, Sign has_i
     }
     if (in_range) candidates.push_back(std::move(candidate));
   }
-  if (candidates.empty())
-    raise(recorder_, Clause::fanuc_tool_center_point_range_none, "PS5459",
-          "no positions of the rotary axes in their ranges give the tool direction");
+  if (candidates.empty()) raise(recorder_, Clause::fanuc_tool_center_point_range_none, AlarmCause::unreachable);
   const bool second = candidates.size() == 2 && takes_second(candidates[0], candidates[1], present);
   const Candidate& taken = candidates.at(second ? 1 : 0);
   Solution result = taken.solution;

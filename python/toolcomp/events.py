@@ -104,8 +104,10 @@ class Alarm(_Event):
     """An alarm: it ends the run."""
 
     kind: ClassVar[str] = "alarm"
-    #: "PS0041", or a name of ours
+    #: what the control shows: "PS0041", or a name of ours
     number: str
+    #: why, the same for all series (``toolcomp spec alarms``): "interference"; None where a controller does not say
+    cause: str | None = None
     message: str = ""
 
 

@@ -25,9 +25,9 @@ bool is_alarm_number(std::string_view text) {
              std::string_view::npos;
 }
 
-Name alarm_number(AlarmCause cause, const Setup& setup) {
-  if (const auto own = setup.alarms.find(cause); own != setup.alarms.end()) return {own->second};
-  return setup.series == Series::series_30i ? info(cause).number_30i : info(cause).number_16i;
+Name AlarmNumbers::operator()(AlarmCause cause) const {
+  if (const auto own = own_.find(cause); own != own_.end()) return {own->second};
+  return series_ == Series::series_30i ? info(cause).number_30i : info(cause).number_16i;
 }
 
 }  // namespace toolcomp::spec

@@ -2,8 +2,10 @@
 // The alarms: causes, and what the control of a setup shows for each (spec/alarms.toml).
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "spec/language/name.h"
@@ -15,7 +17,7 @@ namespace toolcomp::spec {
 // A cause as the table states it.
 struct AlarmInfo {
   AlarmCause cause;
-  std::string_view name;        // of the cause: "arc_without_center"
+  std::string_view name;        // of the cause: "arc-without-center"
   std::string_view number_16i;  // "PS0022"; empty: that series does not raise it
   std::string_view number_30i;
   const char* text;
@@ -28,8 +30,16 @@ std::span<const AlarmInfo> alarms();
 const AlarmInfo& info(AlarmCause cause);
 // Nothing where no cause has this name.
 std::optional<AlarmCause> find_alarm(std::string_view name);
-// What the control of the setup shows: its own number ([alarms]), else that of its series.
-Name alarm_number(AlarmCause cause, const Setup& setup);
+// What the control of a setup shows: its own number ([alarms]), else that of its series.
+class AlarmNumbers {
+ public:
+  explicit AlarmNumbers(const Setup& setup) : series_(setup.series), own_(setup.alarms) {}
+  [[nodiscard]] Name operator()(AlarmCause cause) const;
+
+ private:
+  Series series_;
+  std::map<AlarmCause, std::string> own_;
+};
 // What a setup may give as a number of its own: 1 to 32 letters, digits and _ - / .
 bool is_alarm_number(std::string_view text);
 

@@ -103,7 +103,8 @@ std::string_view event_schema() {
       "required": ["kind", "number", "line"],
       "properties": {
         "kind": { "enum": ["alarm", "warning"] },
-        "number": { "description": "Such as PS0041, or a name of ours.", "type": "string", "maxLength": 63 },
+        "number": { "description": "What the control shows: PS0041, or a name of ours.", "type": "string", "maxLength": 63 },
+        "cause": { "description": "Of an alarm: why (toolcomp spec alarms), the same for all series. Where it is named it counts, not the number.", "type": "string" },
         "line": { "$ref": "#/$defs/count" },
         "n": { "$ref": "#/$defs/count" },
         "message": { "type": "string" },

@@ -15,6 +15,7 @@
 #include "spec/clauses/clauses.h"
 #include "spec/language/axes.h"
 #include "spec/language/name.h"
+#include "spec/parameters/alarm_causes.h"
 
 namespace toolcomp::spec {
 
@@ -114,7 +115,8 @@ struct Event {
   std::optional<SpaceCompensation<Number>> space;  // Heidenhain
 
   // alarm, warning, undecided
-  Name number;               // PS0041, DIR_CHANGE_AT_STARTUP; undecided: the clause id
+  AlarmCause alarm = AlarmCause::none;  // of an alarm; none where a controller does not name it
+  Name number;               // alarm: what the control shows (PS0041); warning: a name; undecided: the clause
   const char* message = "";  // static text
 
   // undecided

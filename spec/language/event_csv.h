@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "spec/language/alarm.h"
 #include "spec/language/event.h"
 #include "spec/language/event_names.h"
 #include "spec/language/json_text.h"
@@ -40,6 +41,7 @@ class EventCsv {
     if (move) out_ += name(event.type);
     next();
     if (move) out_ += name(event.cause);
+    if (event.alarm != AlarmCause::none) out_ += info(event.alarm).name;
     next();
     values(event.programmed, true);
     values(event.point, true);

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "spec/language/alarm.h"
 #include "spec/language/event.h"
 #include "spec/language/event_names.h"
 #include "spec/language/json_text.h"
@@ -36,6 +37,7 @@ class EventJson {
       case EventKind::alarm:
       case EventKind::warning:
         text("number", event.number.view());
+        if (event.alarm != AlarmCause::none) word("cause", info(event.alarm).name);
         place(event);
         if (*event.message != '\0') text("message", event.message);
         break;

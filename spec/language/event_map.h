@@ -71,6 +71,7 @@ Event<To> map_numbers(const Event<From>& event, const Function& function) {
   }
   if (event.space) mapped.space = map_numbers<To>(*event.space, function);
   mapped.feed = optional(event.feed);
+  mapped.alarm = event.alarm;
   mapped.number = event.number;
   mapped.message = event.message;
   mapped.permitted = event.permitted;

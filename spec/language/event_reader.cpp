@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "spec/language/alarm.h"
 #include "spec/language/event_document.h"
 #include "spec/language/event_names.h"
 #include "spec/language/number_text.h"
@@ -27,6 +28,8 @@ class EventReader {
 
   EventWithFields event(const Node& node) {
     read_.expect(node, Kind::table, "event");
+    const Node* const kind = node.find("kind");
+    of_alarm_ = kind != nullptr && kind->text == name(EventKind::alarm);
     for (const Member& member : node.members) {
       const std::optional<Field> field = find_field(member.name);
       if (field) {
@@ -203,6 +206,14 @@ class EventReader {
     return list;
   }
 
+  AlarmCause alarm_cause(const Node& node) const {
+    const std::optional<AlarmCause> cause = find_alarm(read_.string(node, "cause"));
+    if (!cause)
+      read_.fail(node.at,
+                 "cause: " + in_quotes(node.text) + " is no cause of an alarm (`toolcomp spec alarms` lists them)");
+    return *cause;
+  }
+
   PermittedOutcomes permitted(const Node& node) const {
     PermittedOutcomes outcomes;
     read_.expect(node, Kind::array, "permitted");
@@ -264,7 +275,10 @@ class EventReader {
         event.type = choice<MoveType>(node, field);
         break;
       case Field::cause:
-        event.cause = choice<Cause>(node, field);
+        if (of_alarm_)
+          event.alarm = alarm_cause(node);
+        else
+          event.cause = choice<Cause>(node, field);
         break;
       case Field::programmed:
         event.programmed = values(node, field);
@@ -357,6 +371,7 @@ class EventReader {
   const Reader& read_;
   const Axes& axes_;
   bool strict_;
+  bool of_alarm_ = false;
   EventWithFields result_;
 };
 

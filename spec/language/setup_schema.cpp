@@ -292,8 +292,8 @@ std::string alarms_definition() {
 
 std::string_view setup_schema() {
   static const std::string schema = std::string(kSchemaHead) + alarms_definition() + std::string(kSchemaFanucHead) +
-                                    key_properties(Control::fanuc, kSchemaFanucAxes) +
-                                    std::string(kSchemaParameters) + parameter_properties() + std::string(kSchemaFanucTables) +
+                                    key_properties(Control::fanuc, kSchemaFanucAxes) + std::string(kSchemaParameters) +
+                                    parameter_properties() + std::string(kSchemaFanucTables) +
                                     key_properties(Control::heidenhain, kSchemaHeidenhainAxes) +
                                     std::string(kSchemaHeidenhainTables);
   return schema;

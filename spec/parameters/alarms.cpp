@@ -46,6 +46,12 @@ inline constexpr std::array<AlarmInfo, {}> kAlarms{{{{
 }}  // namespace toolcomp::spec
 )";
 
+// arc-without-center: arc_without_center.
+std::string enumerator(std::string cause) {
+  std::ranges::replace(cause, '-', '_');
+  return cause;
+}
+
 [[noreturn]] void fail(const std::filesystem::path& file, const toml::source_region& where, std::string_view what) {
   throw std::runtime_error(fmt::format("{}:{}:{}: {}", file.string(), where.begin.line, where.begin.column, what));
 }
@@ -57,9 +63,9 @@ AlarmTable::AlarmTable(const std::filesystem::path& file) {
   for (const auto& [cause, node] : root) {
     const toml::table* entry = node.as_table();
     if (entry == nullptr) fail(file, node.source(), "a table of a cause must stand here");
-    if (cause.str().find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string_view::npos ||
+    if (cause.str().find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") != std::string_view::npos ||
         cause.str()[0] < 'a' || cause.str() == "none")
-      fail(file, cause.source(), "a cause is a word of lower-case letters, digits and _");
+      fail(file, cause.source(), "a cause is a word of lower-case letters, digits and -");
     for (const auto& [key, value] : *entry)
       if (std::ranges::find(kKeys, key.str()) == std::end(kKeys) || !value.is_string() ||
           value.value_or(std::string()).empty())
@@ -68,9 +74,10 @@ AlarmTable::AlarmTable(const std::filesystem::path& file) {
       return (*entry)[key].value_or(otherwise);
     };
     const std::string number = text("number", "");
-    Row row{std::string(cause.str()), text("16i", number), text("30i", number), text("text", ""), text("source", ""),
-            node.source().begin.line};
-    if (row.number_16i.empty() && row.number_30i.empty()) fail(file, node.source(), "number, 16i or 30i must stand here");
+    Row row{std::string(cause.str()), text("16i", number), text("30i", number),
+            text("text", ""),         text("source", ""),  node.source().begin.line};
+    if (row.number_16i.empty() && row.number_30i.empty())
+      fail(file, node.source(), "number, 16i or 30i must stand here");
     if (row.text.empty() || row.source.empty()) fail(file, node.source(), "text and source must stand here");
     rows_.push_back(std::move(row));
   }
@@ -79,15 +86,16 @@ AlarmTable::AlarmTable(const std::filesystem::path& file) {
 
 std::string AlarmTable::causes() const {
   std::string names;
-  for (const Row& row : rows_) names += fmt::format("  {},\n", row.cause);
+  for (const Row& row : rows_) names += fmt::format("  {},\n", enumerator(row.cause));
   return fmt::format(kCausesFile, names);
 }
 
 std::string AlarmTable::table() const {
   std::string rows;
   for (const Row& row : rows_)
-    rows += fmt::format("    AlarmInfo{{AlarmCause::{}, {}, {}, {}, {}, {}}},\n", row.cause, literal(row.cause),
-                        literal(row.number_16i), literal(row.number_30i), literal(row.text), literal(row.source));
+    rows +=
+        fmt::format("    AlarmInfo{{AlarmCause::{}, {}, {}, {}, {}, {}}},\n", enumerator(row.cause), literal(row.cause),
+                    literal(row.number_16i), literal(row.number_30i), literal(row.text), literal(row.source));
   return fmt::format(kTableFile, rows_.size(), rows);
 }
 

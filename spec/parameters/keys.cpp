@@ -22,9 +22,8 @@ constexpr std::string_view kKeys[] = {"id",    "control", "values",  "type", "de
 constexpr std::int64_t kMostPercent = 99;
 constexpr std::string_view kOwnTexts[] = {"text", "comment"};
 // What else a setup has: no key is called so.
-constexpr std::string_view kOtherNames[] = {"control",   "axes",       "parameters", "alarms", "offsets",
-                                            "workpiece", "position",   "reference",  "measurement",
-                                            "tool",      "correction", "dr2table"};
+constexpr std::string_view kOtherNames[] = {"control",  "axes",      "parameters",  "alarms", "offsets",    "workpiece",
+                                            "position", "reference", "measurement", "tool",   "correction", "dr2table"};
 // Of lines of a fuzzed case that are no keys (fuzz/gen/encode.cpp).
 constexpr std::string_view kOtherLetters = "abcdefghjmnopqrtwy";
 

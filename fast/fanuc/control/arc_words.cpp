@@ -8,7 +8,7 @@ namespace toolcomp::fast {
 Alarm Control::plan_arc(const Words& words, BlockArc& arc, bool geometry, bool about_start) const {
   if (!modal.is_arc(words)) {
     arc.event.reset();
-    return alarm::kNone;
+    return AlarmCause::none;
   }
   const std::array<std::size_t, 2>& plane = modal.plane_axis();
   std::array<Count, 2> start;
@@ -19,7 +19,7 @@ Alarm Control::plan_arc(const Words& words, BlockArc& arc, bool geometry, bool a
     start[i] = end[i] = positions.actual(axis);
     if ((words.axes() & bit(axis)) != 0) end[i] = target(words, axis) + positions.tool_offset()[axis];
   }
-  if (!end[0].in_range() || !end[1].in_range()) return alarm::kRange;
+  if (!end[0].in_range() || !end[1].in_range()) return AlarmCause::position_range;
   modal.read_arc(words, units, arc.words);
   const auto& [clockwise, by_radius, to_center, radius] = arc.words;
   ArcGeometry made;
@@ -43,7 +43,7 @@ Alarm Control::plan_arc(const Words& words, BlockArc& arc, bool geometry, bool a
     if (plane[i] != spec::Axes::kNone) event.center.set(plane[i], made.center[i]);
   event.sweep = made.sweep;
   event.radius = made.radius;
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 }  // namespace toolcomp::fast

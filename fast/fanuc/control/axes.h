@@ -21,7 +21,7 @@ template <class Function>
 Alarm for_each_axis(Mask mask, Function f) {
   for (unsigned rest = mask; rest != 0; rest &= rest - 1)
     if (const Alarm a = f(static_cast<std::size_t>(__builtin_ctz(rest)))) return a;
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 struct ControlAxes {

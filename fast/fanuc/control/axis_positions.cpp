@@ -20,11 +20,11 @@ void AxisPositions::read(const spec::Setup& setup) {
 }
 
 Alarm AxisPositions::place(std::size_t axis, const Count& position) {
-  if (!position.in_range()) return alarm::kRange;
+  if (!position.in_range()) return AlarmCause::position_range;
   programmed_[axis] = position;
   programmed_value_[axis] = position.nearest();
   stale_ = static_cast<Mask>(stale_ | bit(axis));
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 Count AxisPositions::target(const Words& words, std::size_t axis, const WordUnits& units, bool incremental) const {
@@ -45,10 +45,10 @@ Alarm AxisPositions::refresh() {
     axes_value_[axis] = programmed_value_[axis];
     if (((length_.live() | tool_offset_.live()) & bit(axis)) != 0) {
       const Count position = actual(axis) + length_[axis];
-      if (!position.in_range()) return alarm::kRange;
+      if (!position.in_range()) return AlarmCause::position_range;
       axes_value_[axis] = position.nearest();
     }
-    return alarm::kNone;
+    return AlarmCause::none;
   });
   stale_ = 0;
   return a;
@@ -105,7 +105,7 @@ void AxisPositions::select_system(std::size_t system) {
 Alarm AxisPositions::shift(std::size_t axis, const Count& position) {
   shift_[axis] += programmed_[axis] + local_[axis] - position;
   if (!fault(Fault::local_survives_shift)) local_[axis] = Count();
-  if (!shift_[axis].in_range()) return alarm::kRange;
+  if (!shift_[axis].in_range()) return AlarmCause::position_range;
   return place(axis, position);
 }
 
@@ -137,7 +137,7 @@ Alarm AxisPositions::from_intermediate(Mask axes) {
   if (const Alarm a = for_each_axis(through, [&](std::size_t axis) { return place(axis, intermediate_[axis]); }))
     return a;
   rounded_ = static_cast<Mask>((rounded_ & ~through) | (intermediate_rounded_ & through));
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 }  // namespace toolcomp::fast

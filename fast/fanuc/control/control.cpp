@@ -14,6 +14,7 @@ Control::Control(const spec::Setup& setup, EventSink& sink, std::uint32_t sample
       attitude(setup, kinematics, axes, units, modal, positions, sink, samples),
       memory(setup),
       cutter_value(setup, memory),
+      numbers_(setup),
       sink_(sink) {}
 
 void Control::begin(const spec::Setup& setup) {
@@ -67,22 +68,25 @@ void Control::write_offset(const OffsetMemory::Write& write) {
 }
 
 void Control::end(const StageEnd& end) {
-  if (end.undecided == nullptr)
-    send_end(end.alarm.number, end.alarm.message, end.line, end.n, spec::EventKind::alarm);
-  else
-    send_end(end.undecided, "", end.line, end.n, spec::EventKind::undecided);
+  if (end.undecided == nullptr) return send_alarm(end.alarm.cause, nullptr, end.line, end.n);
+  notice_.number = end.undecided;
+  notice_.permitted = {true, true, true};  // whatever the outcome
+  send_end(spec::EventKind::undecided, end.line, end.n);
 }
 
-void Control::send_end(const spec::Name& number, const char* message, std::uint64_t at,
-                       const std::optional<std::uint64_t>& n_at, spec::EventKind kind) {
+void Control::send_alarm(AlarmCause cause, const char* more, std::uint64_t at,
+                         const std::optional<std::uint64_t>& n_at) {
+  notice_.alarm = cause;
+  notice_.number = numbers_(cause);
+  notice_.message = more != nullptr ? more : spec::info(cause).text;
+  send_end(spec::EventKind::alarm, at, n_at);
+}
+
+void Control::send_end(spec::EventKind kind, std::uint64_t at, const std::optional<std::uint64_t>& n_at) {
   stopped = true;
   notice_.kind = kind;
-  notice_.number = number;
-  notice_.message = message;
   notice_.line = at;
   notice_.n = n_at;
-  const bool open = kind == spec::EventKind::undecided;  // whatever the outcome
-  notice_.permitted = {open, open, open};
   sink_.on(notice_);
 }
 

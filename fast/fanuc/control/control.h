@@ -23,6 +23,7 @@
 #include "fast/fanuc/program/words.h"
 #include "fast/fanuc/tool_length_offset/offset_memory.h"
 #include "fast/kinematics/kinematics.h"
+#include "spec/language/alarm.h"
 #include "spec/language/fanuc/block.h"
 #include "spec/language/setup.h"
 
@@ -102,14 +103,14 @@ struct Control {
   bool stopped = false;
   void end(const StageEnd& end);
   // By an alarm of the block itself.
-  void end(const spec::Name& number, const char* message) {
-    send_end(number, message, line, n, spec::EventKind::alarm);
-  }
+  // `more`: a text that says more than the table of alarms; nullptr: none does.
+  void end(AlarmCause cause, const char* more = nullptr) { send_alarm(cause, more, line, n); }
 
  private:
-  void send_end(const spec::Name& number, const char* message, std::uint64_t at,
-                const std::optional<std::uint64_t>& n_at, spec::EventKind kind);
+  void send_alarm(AlarmCause cause, const char* more, std::uint64_t at, const std::optional<std::uint64_t>& n_at);
+  void send_end(spec::EventKind kind, std::uint64_t at, const std::optional<std::uint64_t>& n_at);
 
+  spec::AlarmNumbers numbers_;
   EventSink& sink_;
   Event notice_;  // alarms and settings
 };
@@ -139,7 +140,7 @@ struct Control {
   if ((axes_named & axes.turning) != 0) attitude.turn();
   if (positions.stale() != 0)
     if (const Alarm a = positions.refresh()) return a;
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 }  // namespace toolcomp::fast

@@ -77,7 +77,7 @@ void ModalState::read_arc(const Words& words, const WordUnits& units, Arc& arc) 
         }))
       return a;
   if (rounded_ != 0 && !incremental) clear_rounded(axes);
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 [[gnu::always_inline]] inline bool ToolAttitude::read_usual_direction(const Words& words, Direction& direction) const {

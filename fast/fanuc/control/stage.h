@@ -74,7 +74,7 @@ class Stage {
   // The alarms of its words; where it is concerned.
   [[nodiscard]] virtual Alarm check(const Words& words, const Command& command) const = 0;
   // The alarm of a rotary word under G43.5 where it is on.
-  [[nodiscard]] virtual Alarm rotary_word() const { return alarm::kToolDirection; }
+  [[nodiscard]] virtual Alarm rotary_word() const { return AlarmCause::tool_direction; }
   // It makes sweep and radii of arcs, for the tool.
   [[nodiscard]] virtual bool makes_arc(const Words& /*words*/) const { return false; }
   // It judges arcs about their start.
@@ -94,7 +94,7 @@ class Stage {
   }
   // The moves of G53, G28, G30 and G29, positions placed; begin_leg() before a second one.
   [[nodiscard]] virtual Alarm leave_path(CutterMotion /*motion*/, spec::Cause /*cause*/, bool /*with_machine*/) {
-    return alarm::kForbiddenInCompensation;
+    return AlarmCause::forbidden_in_compensation;
   }
   virtual void begin_leg(const Words& /*words*/) {}
   // The block goes its own way: the stage learns of its codes alone.

@@ -84,7 +84,7 @@ Alarm ToolAttitude::place(const Words& words, Mask axes) {
     tool_.next() = leaned(words, from);
   }
   starts_tip_ = false;
-  return positions_.stale() == 0 ? alarm::kNone : positions_.refresh();
+  return positions_.stale() == 0 ? AlarmCause::none : positions_.refresh();
 }
 
 Alarm ToolAttitude::plan_posture(const Words& words, Mask axes, const std::array<Count, 3>& from,
@@ -103,7 +103,7 @@ Alarm ToolAttitude::plan_posture(const Words& words, Mask axes, const std::array
     take_posture(block.plan.end);
   }
   if (machine_.workpiece_frame() && machine_.has_table()) keep_tip_on_table(axes, start, block.plan.end, from);
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 // Type 2: the direction commanded or kept, leaned, and what it makes of the rotary axes.
@@ -111,13 +111,13 @@ Alarm ToolAttitude::plan_direction(const Words& words, const std::array<Count, 3
   const Pose& start = tip_.before().plan.end;
   if (!asks_direction(words, from)) {
     posture_.stand(start, block.plan);
-    return alarm::kNone;
+    return AlarmCause::none;
   }
   posture_.plan(start, leaned(words, from), posture_control_, block.plan);
   if (const Alarm a = alarm_of(block.plan.outcome)) return a;
   if (block.plan.changed) commanded_ = block.plan.end.tool;
   take_posture(block.plan.end);
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 // I J K, or a travel under Q.
@@ -170,10 +170,10 @@ Alarm ToolAttitude::check_workpiece_arc(const RotaryPositions& before) const {
       continue;
     const FineVector& direction = (i == 0 ? kinematics_.inner() : kinematics_.outer()).axis;
     if (direction[in_plane(modal_.plane(), 0)].hi != 0 || direction[in_plane(modal_.plane(), 1)].hi != 0)
-      return alarm::kTableTurnedInArc;
+      return AlarmCause::table_turned_in_arc;
     turned = true;
   }
-  return turned ? alarm::kArcWithTableTurned : alarm::kNone;
+  return turned ? AlarmCause::arc_with_table_turned : AlarmCause::none;
 }
 
 // WKP = 1: without X Y Z the tip keeps its place on the table, and the programmed position follows it.
@@ -225,7 +225,7 @@ Alarm ToolAttitude::start(const Words& words) {
     Direction direction;
     read_direction(words, direction);
     Pose turned;
-    if (!machine_.choose(direction, pose, turned)) return alarm::kUnreachable;
+    if (!machine_.choose(direction, pose, turned)) return AlarmCause::unreachable;
     pose = turned;
   }
   machine_.freeze(pose);
@@ -236,7 +236,7 @@ Alarm ToolAttitude::start(const Words& words) {
   std::array<double, spec::kMaxAxes> origin{};
   for (std::size_t axis = 0; axis < axes_.count; ++axis) origin[axis] = positions_.machine_origin(axis).nearest();
   tip_.set_origin(origin);
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 // Whether another G43.4 or G43.5 finds the head as the one before left it: its tool is better known than by the

@@ -22,7 +22,7 @@ Alarm ToolAttitude::plan_line(bool turns) {
   TipBlock& block = next_line();
   if (!turns) {
     posture_.stand(start, block.plan);
-    return alarm::kNone;
+    return AlarmCause::none;
   }
   pose_commanded(block.plan.end);
   posture_.plan(start, block.plan.end, posture_control_, block.plan);
@@ -102,7 +102,7 @@ void UsualTipLines::send_with_turns(const spec::Block& block) {
   if (alarm) [[unlikely]] {
     control_.line = block.line;
     control_.n = block.n;
-    control_.end(alarm.number, alarm.message);
+    control_.end(alarm.cause);
     return true;
   }
   const AxisPositions& positions = control_.positions;

@@ -73,9 +73,9 @@ class CornerStage {
   }
   // The alarms of a block that is to be the next path; `joined`: it makes a corner with the one that is held.
   [[nodiscard]] Alarm check_path(const Path& to, bool joined) const {
-    if (to.is_arc() && to.flat.ends_in_center) return alarm::kArcCenter;
+    if (to.is_arc() && to.flat.ends_in_center) return AlarmCause::arc_ends_in_center;
     const bool changes_side = to.side != last_->side && (after_start_ || (starts_up_ && joined));
-    return changes_side ? alarm::kDirectionChangeAtStart : alarm::kNone;
+    return changes_side ? AlarmCause::side_change_at_start : AlarmCause::none;
   }
   // The corner between the path that is held and `to`: the former goes out, or is at_fault().
   [[nodiscard, gnu::always_inline]] Alarm join(const Path& to, CornerRule rule) {
@@ -172,7 +172,7 @@ class CornerStage {
     return end_at(block.event, alarm);
   }
   StageEnd undecide(const Block& block, const char* clause) {
-    StageEnd end = refuse(block, alarm::kNone);
+    StageEnd end = refuse(block, AlarmCause::none);
     if (!end.alarm) end.undecided = clause;
     return end;
   }
@@ -304,7 +304,7 @@ class CornerStage {
           block.event.arc.reset();
           break;
         case Interference::alarm:
-          return alarm::kInterference;
+          return AlarmCause::interference;
       }
     }
     const std::size_t head = pass_blocks_before();
@@ -315,12 +315,12 @@ class CornerStage {
     free_first();
     std::swap(start_, end_);
     held_ = Held::nothing;
-    if (section().hold_waiting_path()) return alarm::kNone;
+    if (section().hold_waiting_path()) return AlarmCause::none;
     if (Section::kUpToStop && at_start().size > 1)
       waits_ = count_;
     else
       send_held(at_start().front().vector);
-    return alarm::kNone;
+    return AlarmCause::none;
   }
   // At the start of the path: the moves that belong to the block before the corner, and the blocks that wait for its
   // last vector. Answers the first head that is left.

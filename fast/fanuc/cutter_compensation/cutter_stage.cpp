@@ -113,17 +113,17 @@ Alarm CutterStage<Compensation>::check(const Words& words, const Command& comman
   const bool in_force = in_force_after(words);
   const spec::Plane selected = plane == kNone ? modal.plane() : plane_of(plane);
   const std::array<std::size_t, 2> axis = modal.axes_of(selected);
-  if (in_force && (axis[0] == spec::Axes::kNone || axis[1] == spec::Axes::kNone)) return alarm::kPlaneAxis;
-  if (on_before() && selected != modal.plane()) return alarm::kPlaneChange;
+  if (in_force && (axis[0] == spec::Axes::kNone || axis[1] == spec::Axes::kNone)) return AlarmCause::plane_axis_missing;
+  if (on_before() && selected != modal.plane()) return AlarmCause::plane_change;
   if ((on_before() && is_other(code)) || ((on_before() || in_force) && words.starts_tip_control()))
-    return alarm::kForbiddenInCutterCompensation;
-  if (words.is_tool_offset() && (on_before() || on_after())) return alarm::kToolOffsetInCutter;
+    return AlarmCause::forbidden_in_cutter_compensation;
+  if (words.is_tool_offset() && (on_before() || on_after())) return AlarmCause::tool_offset_in_cutter_compensation;
   if (const Alarm a = compensation_.check(command_of(words, command.motion, selected))) return a;
 
   // The value is read where the number is given, where G41 or G42 comes into force, and after an edit.
   const bool reads = value.commanded(words) || (in_force && side_ == CutterSide::off) || value.takes_edited();
-  if (in_force && reads && !control_.memory.fits(value.of(value.number_after(words)))) return alarm::kOffsetValue;
-  return alarm::kNone;
+  if (in_force && reads && !control_.memory.fits(value.of(value.number_after(words)))) return AlarmCause::offset_value;
+  return AlarmCause::none;
 }
 
 template <class Compensation>
@@ -158,7 +158,7 @@ bool CutterStage<Compensation>::judges_arc_about_start() const {
 template <class Compensation>
 Alarm CutterStage<Compensation>::take(const Words& words, Command& command) {
   set_takes_moves(concerned());
-  if (!concerned()) return alarm::kNone;
+  if (!concerned()) return AlarmCause::none;
   CutterValue& value = control_.cutter_value;
   const bool d_word = value.commanded(words).has_value();
   const Code code = words.code(Words::kCompensation);
@@ -176,7 +176,7 @@ Alarm CutterStage<Compensation>::take(const Words& words, Command& command) {
   }
   if (retires) retire();
   command.taken |= takes_moves();
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 template <class Compensation>
@@ -231,15 +231,15 @@ void CutterStage<Compensation>::retire() {
 
 template <class Compensation>
 Alarm CutterStage<Compensation>::corner_direction(const Words& words, CutterBlock& block) const {
-  if (block.has_direction) return alarm::kNone;
+  if (block.has_direction) return AlarmCause::none;
   for (std::size_t i = 0; i < 2; ++i) {
     if ((block.named >> i & 1U) == 0) continue;
     const Count to = control_.target(words, block.axis[i]);
-    if (!to.in_range()) return alarm::kRange;
+    if (!to.in_range()) return AlarmCause::position_range;
     block.direction[i] = to - control_.positions.programmed()[block.axis[i]];
     block.has_direction = true;
   }
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 template <class Compensation>
@@ -270,7 +270,7 @@ Alarm CutterStage<Compensation>::move(const Words& words, const OwnMove& own) {
     block.motion = CutterMotion::line;
   }
   send(block);
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 template <class Compensation>
@@ -297,7 +297,7 @@ Alarm CutterStage<Compensation>::leave_path(CutterMotion motion, spec::Cause cau
   block.feed = control_.modal.feed();
   block.motion = motion;
   send(block);
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 // The stage is told where the block began and what the position is called after it. A move of the length offset alone
@@ -320,7 +320,7 @@ Alarm CutterStage<Compensation>::shift(const Words& words, const OwnMove& own) {
   block.motion = CutterMotion::shift;
   send(block);
   rename();
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 // The position is called otherwise from here on: the corner before the next move too.
@@ -356,12 +356,12 @@ Alarm CutterStage<Compensation>::refuse(const Words& words, CutterBlock& block, 
 
 template <class Compensation>
 Alarm CutterStage<Compensation>::read_arc(const Words& words, CutterBlock& block, std::array<double, 2>& center) const {
-  if (!block.end[0].in_range() || !block.end[1].in_range()) return alarm::kRange;
+  if (!block.end[0].in_range() || !block.end[1].in_range()) return AlarmCause::position_range;
   control_.modal.read_arc(words, control_.units, block);
   if (block.by_radius) return center_by_radius(block.start, block.end, block.radius, block.clockwise, center);
   // An arc about its start is refused by the stage.
   if (kIsC<Compensation> && block.to_center[0].is_zero() && block.to_center[1].is_zero()) [[unlikely]]
-    if (block.side != CutterSide::off && block.d != 0 && words.has_any(kDirectionLetters)) return alarm::kNone;
+    if (block.side != CutterSide::off && block.d != 0 && words.has_any(kDirectionLetters)) return AlarmCause::none;
   return center_by_center(block.start, block.to_center, center);
 }
 
@@ -385,7 +385,7 @@ template <class Compensation>
   set_arc_event(block, center);
   pass();
   if (!control_.stopped) usual_.await(false);
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 // Words that make an arc, or would.
@@ -393,7 +393,7 @@ template <class Compensation>
 [[gnu::always_inline]] inline Alarm CutterStage<Compensation>::check_plain_arc(const Words& words) const {
   const std::array<std::size_t, 2>& plane = control_.modal.plane_axis();
   const bool named = (words.axes() & (bit(plane[0]) | bit(plane[1]))) != 0;
-  if (!named && !words.has_any(kArcLetters)) return alarm::kNone;
+  if (!named && !words.has_any(kArcLetters)) return AlarmCause::none;
   if constexpr (kIsC<Compensation>) {
     return compensation_.check_arc(CutterSide::unchanged, control_.cutter_value.number().number);
   } else {
@@ -411,7 +411,7 @@ Alarm CutterStage<Compensation>::plain_block(const Words& words) {
   const AxisPositions& positions = control.positions;
   const std::array<std::size_t, 2>& plane = modal.plane_axis();
   if (plane[0] == spec::Axes::kNone || plane[1] == spec::Axes::kNone) [[unlikely]]
-    return side_ == CutterSide::off ? plan_and_move(words) : alarm::kPlaneAxis;
+    return side_ == CutterSide::off ? plan_and_move(words) : AlarmCause::plane_axis_missing;
   bool arc = false;
   if (modal.motion() > 10) {
     if (const Alarm a = check_plain_arc(words)) return a;
@@ -453,7 +453,7 @@ Alarm CutterStage<Compensation>::plain_block(const Words& words) {
   control.fill_here(block.event, modal.straight(), spec::Cause::programmed);
   pass();
   if (block.motion == CutterMotion::line && !control.stopped) usual_.await(true);
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 template class CutterStage<CutterCompensationB>;

@@ -57,19 +57,19 @@ Alarm CutterCompensationB::check(const CutterCommand& command) const {
   const bool another_number = command.d_word && command.d != d_;
   if (command.corner_arc) {
     const bool format = command.word != CutterSide::unchanged || another_number || command.outside_word;
-    if (!active_ || !made_ || format || command.no_direction) return alarm::kCornerArc;
+    if (!active_ || !made_ || format || command.no_direction) return AlarmCause::corner_arc;
   }
-  if (!command.arc) return alarm::kNone;
+  if (!command.arc) return AlarmCause::none;
   switch (command.word) {
     case CutterSide::left:
     case CutterSide::right:
-      return alarm::kArcAtStartOrCancel;
+      return AlarmCause::arc_at_start_or_cancel;
     case CutterSide::off:
-      return vector_.zero() ? alarm::kNone : alarm::kArcAtStartOrCancel;
+      return vector_.zero() ? AlarmCause::none : AlarmCause::arc_at_start_or_cancel;
     case CutterSide::unchanged:
       break;
   }
-  return active_ && (another_number || !made_) ? alarm::kArcAtStartOrCancel : alarm::kNone;
+  return active_ && (another_number || !made_) ? AlarmCause::arc_at_start_or_cancel : AlarmCause::none;
 }
 
 // rho: the offset value under G41, its negative under G42.
@@ -134,14 +134,14 @@ void CutterCompensationB::straight() {
 
 // The vector at the end of an arc lies on the line of centre and end.
 Alarm CutterCompensationB::arc() {
-  if (usual_arc()) return alarm::kNone;
+  if (usual_arc()) return AlarmCause::none;
   const ArcWords words{block_.clockwise, block_.by_radius, block_.to_center, block_.radius};
   const Fine center = fine_center(block_.start, block_.end, words);  // from the start
   Fine end;
   for (std::size_t i = 0; i < 2; ++i) end[i] = fine_units(block_.end[i] - block_.start[i]) - center[i];
   if (!block_.by_radius && block_.start[0] + block_.to_center[0] == block_.end[0] &&
       block_.start[1] + block_.to_center[1] == block_.end[1])
-    return alarm::kArcCenter;
+    return AlarmCause::arc_ends_in_center;
   const bool outward = block_.clockwise != fault(Fault::arc_vector_wrong_side);
   const Fine normal = outward ? end : Fine{-end[0], -end[1]};
   const Vector made = vector_along(normal, signed_offset());
@@ -158,7 +158,7 @@ Alarm CutterCompensationB::arc() {
   set_tool_arc(old_head, new_head, scale);
   vector_ = made;
   send(vector_, true);
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 bool CutterCompensationB::usual_arc() {

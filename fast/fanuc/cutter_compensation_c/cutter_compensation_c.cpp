@@ -34,9 +34,9 @@ Alarm CutterCompensationC::check(const CutterCommand& command) const {
     const bool renumbers = command.d_word && command.d != number_;
     if (!has_vector || !asked || renumbers || command.word != CutterSide::unchanged || command.axis_word ||
         (command.letters && command.letters_zero))
-      return alarm::kCornerArc;
+      return AlarmCause::corner_arc;
   }
-  return command.arc ? check_arc(command.word, command.d) : alarm::kNone;
+  return command.arc ? check_arc(command.word, command.d) : AlarmCause::none;
 }
 
 void CutterCompensationC::rebase() {
@@ -174,8 +174,8 @@ StageEnd CutterCompensationC::moving_block(CutterBlock& block) {
 // The first one that moves behind a lone G41 or G42, whose vector is perpendicular to its start.
 StageEnd CutterCompensationC::second_block(CutterBlock& block, CutterPath& to) {
   set_path(to, block);
-  if (to.flat.arc && to.flat.ends_in_center) return refuse(block, alarm::kArcCenter);
-  if (to.side != start_side_) return refuse(block, alarm::kDirectionChangeAtStart);
+  if (to.flat.arc && to.flat.ends_in_center) return refuse(block, AlarmCause::arc_ends_in_center);
+  if (to.side != start_side_) return refuse(block, AlarmCause::side_change_at_start);
   set_normal(at_start(), to.flat, to.flat.start, start_side_, start_amount_);
   send_start();
   start_offset_ = &start_amount_;
@@ -218,7 +218,7 @@ StageEnd CutterCompensationC::cancel_block(CutterBlock& block) {
     held_ = Held::nothing;
     send_held(at_start().front().vector);
   }
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 StageEnd CutterCompensationC::release() {
@@ -241,7 +241,7 @@ StageEnd CutterCompensationC::still_block(CutterBlock& block) {
       return {};
     }
     if (held_ == Held::corner_arc && still_ + weight >= limit) {
-      StageEnd end = end_at(held(0).event, alarm::kNone);
+      StageEnd end = end_at(held(0).event, AlarmCause::none);
       end.undecided = "fanuc.cutter-c.corner-arc-without-next-block";
       return end;
     }

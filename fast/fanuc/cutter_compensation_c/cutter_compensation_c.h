@@ -55,8 +55,8 @@ class CutterCompensationC : public CornerStage<CutterCompensationC, CutterBlock,
     const CutterSide side = word == CutterSide::unchanged ? side_ : word;
     const bool asked = side != CutterSide::off && d != 0;
     // An arc may not start the mode, nor end it.
-    return (asked ? mode_ == Mode::off : mode_ == Mode::on || mode_ == Mode::ends) ? alarm::kArcAtStartOrCancel
-                                                                                   : alarm::kNone;
+    return (asked ? mode_ == Mode::off : mode_ == Mode::on || mode_ == Mode::ends) ? AlarmCause::arc_at_start_or_cancel
+                                                                                   : AlarmCause::none;
   }
 
   // The workpiece system changes in the block to come: positions of the corner before it are called as in next().event,
@@ -103,7 +103,7 @@ class CutterCompensationC : public CornerStage<CutterCompensationC, CutterBlock,
   void hold_path(const CutterPath& to, bool starts_up);
   void set_corner(CutterGroup& group, const CutterPath* second, CornerRule rule) const;
   [[nodiscard]] Alarm make_corner(CutterGroup& group, const CutterPath& /*to*/, CornerRule rule) const {
-    return make_.make(group, rule) ? alarm::kNone : alarm::kNoIntersection;
+    return make_.make(group, rule) ? AlarmCause::none : AlarmCause::no_intersection;
   }
   [[nodiscard]] CheckedBlock checked_block() const {
     return {&last_->flat, start_side_, start_offset_, last_->side, &last_->offset};

@@ -14,12 +14,14 @@ Alarm Interpreter::check(const Words& words, Command& command) const {
   const Code one_shot = words.code(Words::kOneShot);
   if (words.code(Words::kCompensation) != kNone)
     for (const auto& stage : asked_)
-      if (!stage->is_built(words)) return alarm::kUnknownCode;
+      if (!stage->is_built(words)) return AlarmCause::unknown_code;
   const std::uint32_t list = words.has('L') ? whole_number(words['L'], 99) : 100;
-  if (one_shot == 100 && !words.writes_origin() && !memory.has_list(list)) return alarm::kUnknownList;
+  if (one_shot == 100 && !words.writes_origin() && !memory.has_list(list)) return AlarmCause::g10_kind;
   for (const char letter : {'H', 'D'})
-    if (words.has(letter) && whole_number(words[letter], memory.count()) > memory.count()) return alarm::kOffsetNumber;
-  if (words.code(Words::kWorkpiece) != kNone && words.workpiece() == Words::kNoSystem) return alarm::kSystemNumber;
+    if (words.has(letter) && whole_number(words[letter], memory.count()) > memory.count())
+      return AlarmCause::offset_number;
+  if (words.code(Words::kWorkpiece) != kNone && words.workpiece() == Words::kNoSystem)
+    return AlarmCause::workpiece_number;
 
   const bool along_before = control_.positions.along_tool();
   command.motion = words.code(Words::kMotion) == kNone ? modal.motion() : words.code(Words::kMotion);
@@ -36,11 +38,11 @@ Alarm Interpreter::check(const Words& words, Command& command) const {
       if (const Alarm a = stage->check(words, command)) return a;
   if (one_shot == 370)
     if (const Alarm a = check_measurement(words)) return a;
-  if (words.writes_origin() && !names_origin(words, list)) return alarm::kOriginNumber;
+  if (words.writes_origin() && !names_origin(words, list)) return AlarmCause::g10_workpiece;
   if (one_shot == 100 && !words.writes_origin())
     if (const Alarm a = check_offset_write(words, list, command)) return a;
-  if (one_shot == 300 && words.axes() != 0 && reference_point(words) == 0) return alarm::kReferenceNumber;
-  return alarm::kNone;
+  if (one_shot == 300 && words.axes() != 0 && reference_point(words) == 0) return AlarmCause::reference_number;
+  return AlarmCause::none;
 }
 
 // G10. R counts in the units and the mode (G90, G91) of this block.
@@ -68,15 +70,15 @@ bool Interpreter::names_origin(const Words& words, std::uint32_t list) {
 
 // The alarms of G37, in their order.
 Alarm Interpreter::check_measurement(const Words& words) const {
-  if (words.has('H')) return alarm::kMeasurementNumberInBlock;
-  if (control_.positions.length().number() == 0) return alarm::kMeasurementNumberZero;
+  if (words.has('H')) return AlarmCause::measurement_number_in_block;
+  if (control_.positions.length().number() == 0) return AlarmCause::measurement_without_number;
   const Code distance = words.code(Words::kDistance);
   const bool add = distance == kNone ? control_.modal.incremental() : distance == 910;
   if (add || std::popcount(words.axes()) != 1 || (words.axes() & control_.axes.linear) == 0)
-    return alarm::kMeasurementAxis;
-  if (words.code(Words::kLength) != kNone) return alarm::kMeasurementFormat;
+    return AlarmCause::measurement_axis;
+  if (words.code(Words::kLength) != kNone) return AlarmCause::measurement_format;
   if (std::ranges::any_of(asked_, [](const auto& stage) { return stage->on_before() || stage->on_after(); }))
-    return alarm::kMeasurementInCutter;
+    return AlarmCause::measurement_in_cutter_compensation;
   return measurement_.parameters();
 }
 

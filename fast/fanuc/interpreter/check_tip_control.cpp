@@ -12,8 +12,8 @@ Alarm Interpreter::check_tip_control(const Words& words, const Command& command)
   const bool forbidden = one_shot != kNone && one_shot != 40 && one_shot != 100;
   const bool in_plane = words.code(Words::kCompensation) == 410 || words.code(Words::kCompensation) == 420;
   if (command.along && (forbidden || in_plane || words.code(Words::kWorkpiece) != kNone || words.writes_origin()))
-    return alarm::kForbiddenUnderDirection;
-  if (control_.positions.along_tool() && (length == 430 || length == 440)) return alarm::kLengthExclusion;
+    return AlarmCause::forbidden_under_tool_direction;
+  if (control_.positions.along_tool() && (length == 430 || length == 440)) return AlarmCause::length_offset_exclusion;
   // The stage in space that is on before the block or after it.
   const Stage* on = nullptr;
   bool after = false;
@@ -24,10 +24,10 @@ Alarm Interpreter::check_tip_control(const Words& words, const Command& command)
   }
   if (words.starts_tip_control())
     if (const Alarm a = check_tip_control_start(words, command, on != nullptr)) return a;
-  if (command.ends_along && on != nullptr) return alarm::kDirectionFormat;
-  if (!command.along) return alarm::kNone;
+  if (command.ends_along && on != nullptr) return AlarmCause::tool_direction_format;
+  if (!command.along) return AlarmCause::none;
   if (attitude.machine().workpiece_frame() && attitude.machine().has_table() && after)
-    return alarm::kCompensationInWorkpiece;
+    return AlarmCause::compensation_in_workpiece_system;
   return check_tip_move(words, command.motion, command.vector, on);
 }
 
@@ -35,36 +35,36 @@ Alarm Interpreter::check_tip_move(const Words& words, Code motion, bool vector, 
   const ControlAxes& axes = control_.axes;
   const bool ijk = words.has_any(Words::set_of("IJK"));
   if (vector) {
-    if ((words.axes() & axes.rotary) != 0) return stage != nullptr ? stage->rotary_word() : alarm::kToolDirection;
+    if ((words.axes() & axes.rotary) != 0) return stage != nullptr ? stage->rotary_word() : AlarmCause::tool_direction;
     if (words.code(Words::kLength) == 435 && ijk && control_.attitude.machine().has_table())
-      return alarm::kDirectionAtStart;
-    if (!ToolAttitude::names_direction(words)) return alarm::kToolDirection;
+      return AlarmCause::direction_at_start;
+    if (!ToolAttitude::names_direction(words)) return AlarmCause::tool_direction;
   }
-  if (motion <= 10) return alarm::kNone;
+  if (motion <= 10) return AlarmCause::none;
   const Code plane = words.code(Words::kPlane);
   Mask in_plane = 0;
   for (const std::size_t axis : control_.modal.axes_of(plane == kNone ? control_.modal.plane() : plane_of(plane)))
     if (axis != spec::Axes::kNone) in_plane = static_cast<Mask>(in_plane | bit(axis));
   const bool turns_alone = (words.axes() & axes.linear) == 0 &&
                            (vector ? ijk : (words.axes() & axes.rotary) != 0 && !words.has_any(kArcLetters));
-  if (turns_alone || (vector && (words.axes() & in_plane) != 0 && !words.has('R'))) return alarm::kTipControlArc;
-  return alarm::kNone;
+  if (turns_alone || (vector && (words.axes() & in_plane) != 0 && !words.has('R'))) return AlarmCause::tip_control_arc;
+  return AlarmCause::none;
 }
 
 Alarm Interpreter::check_tip_control_start(const Words& words, const Command& command, bool in_space) const {
   const Machine& machine = control_.attitude.machine();
-  if (control_.positions.length().live() != 0) return alarm::kLengthExclusion;
+  if (control_.positions.length().live() != 0) return AlarmCause::length_offset_exclusion;
   const bool vector = command.vector;
-  if (!vector && !machine.defined()) return alarm::kTipControl;
-  if (vector && machine.defined() && machine.workpiece_frame()) return alarm::kTipControl;
+  if (!vector && !machine.defined()) return AlarmCause::tip_control_parameters;
+  if (vector && machine.defined() && machine.workpiece_frame()) return AlarmCause::tip_control_parameters;
   if (words.has('P') && words.code(Words::kOneShot) == kNone && !words.letters_are_data() &&
       whole_number(words['P'], 1) > 1)
-    return alarm::kTipControlWord;
+    return AlarmCause::tip_control_word;
   if (vector && machine.defined()) {
-    if (!machine.invertible()) return alarm::kTipControl;
-    if (!machine.ranges_valid()) return alarm::kRotaryLimits;
+    if (!machine.invertible()) return AlarmCause::tip_control_parameters;
+    if (!machine.ranges_valid()) return AlarmCause::rotary_limits;
   }
-  return in_space || command.motion > 10 ? alarm::kDirectionFormat : alarm::kNone;
+  return in_space || command.motion > 10 ? AlarmCause::tool_direction_format : AlarmCause::none;
 }
 
 }  // namespace toolcomp::fast

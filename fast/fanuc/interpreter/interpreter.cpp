@@ -34,8 +34,8 @@ bool Interpreter::release_held() {
 
 // A command alarm: what is held goes out as if the block and everything after it were absent. A block held may then
 // itself be at fault.
-void Interpreter::raise(Alarm alarm) {
-  if (!release_held()) control_.end(alarm.number, alarm.message);
+void Interpreter::raise(Alarm alarm, const char* more) {
+  if (!release_held()) control_.end(alarm.cause, more);
 }
 
 [[gnu::always_inline]] inline Alarm Interpreter::uncompensated(const Words& words, bool own, bool extra,
@@ -46,15 +46,15 @@ void Interpreter::raise(Alarm alarm) {
   if (fault(Fault::shift_lost) && !modal.incremental() && !words.is_tool_offset())
     (void)for_each_axis(axes, [this](std::size_t axis) {
       control_.positions.tool_offset().clear(axis);
-      return alarm::kNone;
+      return AlarmCause::none;
     });
   if (const Alarm a = control_.place_words(words, axes)) return a;
   if (axes == 0 && !extra && !arc && !(own && modal.by_vector() && words.has_any(kDirectionLetters)))
-    return alarm::kNone;
+    return AlarmCause::none;
   control_.fill_here(move_, arc ? spec::MoveType::arc : modal.straight(), spec::Cause::programmed);
   if (arc) move_.arc = arc;
   moves_->on(move_);
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 [[gnu::always_inline]] inline Alarm Interpreter::plain_block(const Words& words, Stage* stage) {
@@ -109,7 +109,7 @@ void Interpreter::block(const spec::Block& block) {
   control_.line = block.line;
   control_.n = block.n;
   if (block.alarm) [[unlikely]] {
-    if (!release_held()) control_.end(block.alarm->number, block.alarm->message);
+    raise(block.alarm->cause, block.alarm->message);
     return;
   }
   const Words words(block, control_.axes.letters);
@@ -130,7 +130,7 @@ void Interpreter::block(const spec::Block& block) {
 void Interpreter::other_block(const Words& words) {
   Alarm alarm;
   if (words.unsupported()) {
-    alarm = alarm::unknown_code(spec::code_not_supported(words.unknown_code()));
+    raise(AlarmCause::unknown_code, spec::code_not_supported(words.unknown_code()));
   } else if (words.any()) {
     alarm = block_with_commands(words);
   } else if (on_ != nullptr) {
@@ -158,7 +158,7 @@ Alarm Interpreter::apply(const Words& words, Command& command) {
   Stage* through = nullptr;
   for (const auto& stage : asked_) {
     if (const Alarm a = stage->take(words, command)) return a;
-    if (control_.stopped) return alarm::kNone;
+    if (control_.stopped) return AlarmCause::none;
     if (through == nullptr && stage->takes_moves()) through = stage.get();
   }
   if (shifts)
@@ -189,7 +189,7 @@ void Interpreter::take_codes(const Words& words, const Command& command) {
 }
 
 Alarm Interpreter::take_arc(const Words& words, BlockArc& arc) const {
-  if (control_.modal.motion() <= 10) return alarm::kNone;
+  if (control_.modal.motion() <= 10) return AlarmCause::none;
   const bool made = std::ranges::any_of(asked_, [&](const auto& stage) { return stage->makes_arc(words); });
   const bool judged = std::ranges::any_of(asked_, [](const auto& stage) { return stage->judges_arc_about_start(); });
   return control_.plan_arc(words, arc, !made, judged);
@@ -208,7 +208,7 @@ Alarm Interpreter::take_length(const Words& words, const Command& command, bool&
   // G43.4 and G43.5 always make their move; the G49 that ends them makes none.
   extra = words.starts_tip_control() || (length.changed() && !command.ends_along && !fault(Fault::zero_move_missing));
   attitude.directions().begin_block();
-  if (!command.along) return alarm::kNone;
+  if (!command.along) return AlarmCause::none;
   // Moves that a compensation inserts are none of the block.
   const bool replaced = std::ranges::any_of(asked_, [&](const auto& stage) { return stage->replaces_move(extra); });
   attitude.set_sampled(!words.starts_tip_control() && !replaced);
@@ -217,7 +217,7 @@ Alarm Interpreter::take_length(const Words& words, const Command& command, bool&
     if (attitude.completes_moves()) send_to(attitude.tip());
   }
   if (!attitude.tip().active() && (!attitude.plans_tool() || attitude.starts())) attitude.direct(words);
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 Alarm Interpreter::move(const Words& words, const Command& command, Stage* stage, const OwnMove& own) {

@@ -54,7 +54,7 @@ class Interpreter final : public BlockTaker {
   [[nodiscard, gnu::noinline]] Alarm uncompensated_arc(const Words& words);
   void set_feed(const Words& words) { control_.modal.set_feed(control_.units.feed(words['F'])); }
   void send_to(EventSink& sink);
-  void raise(Alarm alarm);
+  void raise(Alarm alarm, const char* more = nullptr);
   // Everything a stage holds goes out; true if that ended the run.
   [[nodiscard]] bool release_held();
 

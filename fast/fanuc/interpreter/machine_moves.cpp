@@ -12,7 +12,7 @@ Alarm Interpreter::send_rapid(Stage* stage, spec::Cause cause, bool with_machine
   control_.fill(move_, spec::MoveType::rapid, cause);
   if (with_machine) control_.positions.fill_machine(move_);
   moves_->on(move_);
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 Alarm Interpreter::to_machine_position(const Words& words, Stage* stage) {
@@ -33,7 +33,7 @@ Alarm Interpreter::to_reference(const Words& words, Stage* stage) {
     return a;
   positions.end_intermediate(words.axes());
   if (const Alarm a = send_rapid(stage, spec::Cause::reference, true, CutterMotion::to_intermediate)) return a;
-  if (control_.stopped) return alarm::kNone;
+  if (control_.stopped) return AlarmCause::none;
   if (stage != nullptr) stage->begin_leg(words);
   const Positions& reference = positions.reference(reference_point(words));
   if (const Alarm a = for_each_axis(
@@ -46,7 +46,7 @@ Alarm Interpreter::from_reference(const Words& words, Stage* stage) {
   AxisPositions& positions = control_.positions;
   if (const Alarm a = positions.from_intermediate(words.axes())) return a;
   if (const Alarm a = send_rapid(stage, spec::Cause::programmed, false, CutterMotion::from_intermediate)) return a;
-  if (control_.stopped) return alarm::kNone;
+  if (control_.stopped) return AlarmCause::none;
   if (stage != nullptr) stage->begin_leg(words);
   if (const Alarm a = for_each_axis(
           words.axes(), [&](std::size_t axis) { return positions.place(axis, control_.target(words, axis)); }))

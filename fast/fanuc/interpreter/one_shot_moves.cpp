@@ -15,16 +15,17 @@ Alarm Interpreter::plan_tool_offset(const Words& words, BlockArc& block_arc, Shi
   CutterValue::Number number = control_.cutter_value.number_after(words);
   if (positions.tool_offset().number_by_h() && !fault(Fault::tph_ignored)) {
     const ToolLengthOffset::Mode mode = positions.length().mode_after(words.code(Words::kLength));
-    if (mode == ToolLengthOffset::Mode::plus || mode == ToolLengthOffset::Mode::minus) return alarm::kToolOffsetLength;
+    if (mode == ToolLengthOffset::Mode::plus || mode == ToolLengthOffset::Mode::minus)
+      return AlarmCause::tool_offset_length;
     number = {words.has('H') ? whole_number(words['H'], control_.memory.count()) : positions.length().number(), true};
   }
-  if (words.axes() == 0) return arc ? alarm::kToolOffsetArc : alarm::kNone;
+  if (words.axes() == 0) return arc ? AlarmCause::tool_offset_arc : AlarmCause::none;
   const Count offset = control_.cutter_value.of(number);
-  if (!control_.memory.fits(offset)) return alarm::kOffsetValue;
+  if (!control_.memory.fits(offset)) return AlarmCause::offset_value;
   const Count increase = ToolOffset::increase(words.code(Words::kOneShot), offset);
 
   if (arc) {
-    if (arc_words.by_radius) return alarm::kToolOffsetArc;
+    if (arc_words.by_radius) return AlarmCause::tool_offset_arc;
     const std::array<std::size_t, 2>& axis = control_.modal.plane_axis();
     std::array<Count, 2> travel;
     for (std::size_t i = 0; i < 2; ++i)
@@ -46,7 +47,7 @@ Alarm Interpreter::plan_tool_offset(const Words& words, BlockArc& block_arc, Shi
     const int sense = ToolOffset::sense(travel, words.axis(axis), control_.modal.incremental());
     shifts.by[axis] = sense < 0 ? -increase : increase;
     if (sense != 0) shifts.axes = static_cast<Mask>(shifts.axes | bit(axis));
-    return alarm::kNone;
+    return AlarmCause::none;
   });
 }
 
@@ -54,7 +55,7 @@ Alarm Interpreter::shift_axes(const Shifts& shifts) {
   ToolOffset& offset = control_.positions.tool_offset();
   return for_each_axis(shifts.axes, [&](std::size_t axis) {
     offset.add(axis, shifts.by[axis]);
-    return offset[axis].in_range() ? alarm::kNone : alarm::kRange;
+    return offset[axis].in_range() ? AlarmCause::none : AlarmCause::position_range;
   });
 }
 
@@ -70,21 +71,21 @@ Alarm Interpreter::send_measuring_move(std::size_t axis, const Count& to, double
   }
   move_.programmed.value[axis] = commanded;
   moves_->on(move_);
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 Alarm Interpreter::measure(const Words& words, Stage* stage) {
   if (stage != nullptr) {
     stage->retire();
-    if (control_.stopped) return alarm::kNone;
+    if (control_.stopped) return AlarmCause::none;
   }
   AxisPositions& positions = control_.positions;
   const auto axis = static_cast<std::size_t>(std::countr_zero(words.axes()));
   const Count commanded = control_.target(words, axis);
-  if (!commanded.in_range()) return alarm::kRange;
+  if (!commanded.in_range()) return AlarmCause::position_range;
   if (commanded == positions.programmed()[axis]) {
-    control_.end({alarm::kNone, "fanuc.length-measurement.start-on-the-coordinate", control_.line, control_.n});
-    return alarm::kNone;
+    control_.end({AlarmCause::none, "fanuc.length-measurement.start-on-the-coordinate", control_.line, control_.n});
+    return AlarmCause::none;
   }
   positions.clear_rounded(bit(axis));
   const ToolLengthMeasurement::Motion motion = measurement_.measure(
@@ -101,7 +102,7 @@ Alarm Interpreter::measure(const Words& words, Stage* stage) {
   const Count difference = fault(Fault::difference_reversed) ? -motion.difference : motion.difference;
   control_.write_offset(control_.memory.plan(fault(Fault::measured_into_geometry) ? 10 : 11,
                                              positions.length().number(), difference, true));
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 }  // namespace toolcomp::fast

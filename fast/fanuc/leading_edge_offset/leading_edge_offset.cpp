@@ -68,13 +68,13 @@ void LeadingEdgeOffset::start() {
 Alarm LeadingEdgeOffset::block(bool own, bool moving) {
   Move& move = next();
   if (starting_) {
-    if (!moving) return alarm::kLeadingEdgeCommand;
+    if (!moving) return AlarmCause::leading_edge_command;
     const Move& start = ring_[held_[0]];
     if (const Alarm a = update(move.displacement, *start.direction, start.radius)) return a;
     starting_ = false;
     send_held();
     hold();
-    return alarm::kNone;
+    return AlarmCause::none;
   }
   if (moving) {
     if (held_count_ > 0) {
@@ -87,18 +87,18 @@ Alarm LeadingEdgeOffset::block(bool own, bool moving) {
     }
     hold();
     still_ = 0;
-    return alarm::kNone;
+    return AlarmCause::none;
   }
   // No movement: one such block shares the vector of the moving block before it, which looks past it; a second one
   // makes both keep the vector from before.
   if (still_ < 2) ++still_;
   if (held_count_ == 0) {
     if (own) send_compensated();
-    return alarm::kNone;
+    return AlarmCause::none;
   }
   if (still_ == 1) {
     if (own) hold();
-    return alarm::kNone;
+    return AlarmCause::none;
   }
   if (fault(Fault::second_still_block_recomputed)) {
     const Move& former = ring_[held_[0]];
@@ -106,25 +106,25 @@ Alarm LeadingEdgeOffset::block(bool own, bool moving) {
   }
   send_held();
   if (own) send_compensated();
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 Alarm LeadingEdgeOffset::release() {
-  if (starting_) return alarm::kLeadingEdgeCommand;
+  if (starting_) return AlarmCause::leading_edge_command;
   // The free slot is not touched: next() may already be filled.
   send_held();
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 Alarm LeadingEdgeOffset::finish() {
-  if (starting_) return alarm::kLeadingEdgeCommand;
+  if (starting_) return AlarmCause::leading_edge_command;
   if (held_count_ > 0) {
     // The last moving block has no next one: its own movement serves.
     const Move& former = ring_[held_[0]];
     update(former.displacement, *former.direction, former.radius);
   }
   send_held();
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 void LeadingEdgeOffset::cancel() {

@@ -104,7 +104,7 @@ class LeadingEdgeOffset {
   const Lean lean = compensation_.lean(kinematics_, displacement, direction);
   // Near 0 and 180 degrees the vector is kept; a start-up has none to keep.
   if (lean.angle == AngleClass::near_0 || lean.angle == AngleClass::near_180) [[unlikely]]
-    return starting_ ? alarm::kLeadingEdgeStart : alarm::kNone;
+    return starting_ ? AlarmCause::leading_edge_start : AlarmCause::none;
   if (lean.angle == AngleClass::near_90) {
     // The sense is inherited; without history that of the pair, backward at exactly 90 degrees.
     if (starting_ || fault(Fault::right_angle_without_history))
@@ -116,7 +116,7 @@ class LeadingEdgeOffset {
   }
   const int sense = fault(Fault::vector_sign) ? -backward_ : backward_;
   vector_ = lean.backward * (sense * radius / lean.norm);
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 }  // namespace toolcomp::fast

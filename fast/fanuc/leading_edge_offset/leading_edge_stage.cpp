@@ -15,7 +15,7 @@ bool is_other(Code code) { return code != kNone && code != 400 && code != 413; }
 }  // namespace
 
 void LeadingEdgeStage::release() {
-  if (offset_.active() && offset_.release()) end_at_start(alarm::kLeadingEdgeCommand);
+  if (offset_.active() && offset_.release()) end_at_start(AlarmCause::leading_edge_command);
 }
 
 // Other compensations are forbidden in it and do not end it; with number 0 it ends.
@@ -32,18 +32,18 @@ Alarm LeadingEdgeStage::check(const Words& words, const Command& command) const 
   const bool code = words.code(Words::kCompensation) == 413;
   const bool moves = words.axes() != 0 || (command.vector && words.has_any(kDirectionLetters));
   // The format of a G41.3 block counts where it starts nothing too: with D0, or in the mode.
-  if (code && (moves || words.suppresses_look_ahead())) return alarm::kLeadingEdgeFormat;
-  if (on_before() && !on_after() && moves) return alarm::kLeadingEdgeFormat;
-  if (code && command.motion > 10) return alarm::kLeadingEdgeStart;
-  if (on_before() && (code || command.motion > 10)) return alarm::kLeadingEdgeCommand;
-  if (!on_after()) return alarm::kNone;
-  if (is_other(words.code(Words::kCompensation))) return alarm::kForbiddenInCompensation;
+  if (code && (moves || words.suppresses_look_ahead())) return AlarmCause::leading_edge_format;
+  if (on_before() && !on_after() && moves) return AlarmCause::leading_edge_format;
+  if (code && command.motion > 10) return AlarmCause::leading_edge_start;
+  if (on_before() && (code || command.motion > 10)) return AlarmCause::leading_edge_command;
+  if (!on_after()) return AlarmCause::none;
+  if (is_other(words.code(Words::kCompensation))) return AlarmCause::forbidden_in_compensation;
   if (words.code(Words::kOneShot) != kNone || words.code(Words::kWorkpiece) != kNone ||
       words.code(Words::kUnits) != kNone || words.refused_in_space() || (moves && words.has_any(kAuxiliaryLetters)))
-    return alarm::kForbiddenInCompensation;
+    return AlarmCause::forbidden_in_compensation;
   if (!on_before() || words.has('D'))
-    if (!control_.memory.fits(control_.memory.d(d_read_))) return alarm::kOffsetValue;
-  return alarm::kNone;
+    if (!control_.memory.fits(control_.memory.d(d_read_))) return AlarmCause::offset_value;
+  return AlarmCause::none;
 }
 
 Alarm LeadingEdgeStage::take(const Words& words, Command& command) {
@@ -53,7 +53,7 @@ Alarm LeadingEdgeStage::take(const Words& words, Command& command) {
     if (const Alarm a = offset_.release()) return a;
   set_takes_moves(on_before() || on_after());
   command.taken |= takes_moves();
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 Alarm LeadingEdgeStage::move(const Words& words, const OwnMove& own) {
@@ -70,7 +70,7 @@ Alarm LeadingEdgeStage::start() {
   move.radius = radius_;
   offset_.start();
   set_on(true);
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 Alarm LeadingEdgeStage::cancel() {
@@ -78,12 +78,12 @@ Alarm LeadingEdgeStage::cancel() {
   control_.fill(offset_.next().event, control_.modal.straight(), spec::Cause::cancel);
   offset_.cancel();
   set_on(false);
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 Alarm LeadingEdgeStage::plain_block(const Words& words) {
-  if (!words.any()) return alarm::kNone;
-  if (control_.modal.motion() > 10) return alarm::kLeadingEdgeCommand;
+  if (!words.any()) return AlarmCause::none;
+  if (control_.modal.motion() > 10) return AlarmCause::leading_edge_command;
   return follow(words, true, false);
 }
 
@@ -107,7 +107,7 @@ Alarm LeadingEdgeStage::follow(const Words& words, bool own, bool extra) {
     end_at_start(a);
   else
     await_lines();
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 }  // namespace toolcomp::fast

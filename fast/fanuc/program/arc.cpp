@@ -64,13 +64,13 @@ double positive_angle(const DoubleDouble& x, const DoubleDouble& y) {
 
 Alarm center_by_any_center(const std::array<Count, 2>& start, const std::array<Count, 2>& to_center,
                            std::array<double, 2>& center) {
-  if (to_center[0].is_zero() && to_center[1].is_zero()) return alarm::kArcRadius;
+  if (to_center[0].is_zero() && to_center[1].is_zero()) return AlarmCause::arc_without_center;
   for (std::size_t i = 0; i < 2; ++i) {
     const Count sum = start[i] + to_center[i];
-    if (!sum.in_range()) return alarm::kRange;
+    if (!sum.in_range()) return AlarmCause::position_range;
     center[i] = sum.nearest();
   }
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 Alarm center_by_radius(const std::array<Count, 2>& start, const std::array<Count, 2>& end, const Count& radius,
@@ -86,22 +86,22 @@ Alarm center_by_radius(const std::array<Count, 2>& start, const std::array<Count
   const auto square = [](const Count& value) { return static_cast<Int128>(value.small()) * value.small(); };
   const Int128 chord_square = square(chord[0]) + square(chord[1]);
   const Int128 height_square = 4 * square(radius) - chord_square;
-  if (chord_square == 0 || height_square < 0) return alarm::kArcRadius;
+  if (chord_square == 0 || height_square < 0) return AlarmCause::arc_radius_too_short;
   const double ratio = std::sqrt(static_cast<double>(height_square) / static_cast<double>(chord_square));
   const double side = clockwise == (radius.small() < 0) ? 0.5 * ratio : -0.5 * ratio;
   center[0] = start[0].nearest() + (0.5 * chord[0].nearest() - chord[1].nearest() * side);
   center[1] = start[1].nearest() + (0.5 * chord[1].nearest() + chord[0].nearest() * side);
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 Alarm arc_by_center(const std::array<Count, 2>& start, const std::array<Count, 2>& end,
                     const std::array<Count, 2>& to_center, bool clockwise, ArcGeometry& arc) {
-  if (to_center[0].is_zero() && to_center[1].is_zero()) return alarm::kArcRadius;
+  if (to_center[0].is_zero() && to_center[1].is_zero()) return AlarmCause::arc_without_center;
   std::array<Wide, 2> from;
   std::array<Wide, 2> to;
   for (std::size_t i = 0; i < 2; ++i) {
     const Count center = start[i] + to_center[i];
-    if (!center.in_range()) return alarm::kRange;
+    if (!center.in_range()) return AlarmCause::position_range;
     arc.center[i] = center.nearest();
     from[i] = Wide((-to_center[i]).units());
     to[i] = Wide((end[i] - center).units());
@@ -119,17 +119,17 @@ Alarm arc_by_center(const std::array<Count, 2>& start, const std::array<Count, 2
         positive_angle((from[0] * to[0] + from[1] * to[1]).to_double_double(),
                        (clockwise && !fault(Fault::arc_sweep_counterclockwise) ? -turn : turn).to_double_double());
   }
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 Alarm arc_by_radius(const std::array<Count, 2>& start, const std::array<Count, 2>& end, const Count& radius,
                     bool clockwise, ArcGeometry& arc) {
   const std::array<Int128, 2> chord{(end[0] - start[0]).units(), (end[1] - start[1]).units()};
   const Wide chord_square = Wide(chord[0]) * Wide(chord[0]) + Wide(chord[1]) * Wide(chord[1]);
-  if (chord_square.sign() == 0) return alarm::kArcRadius;
+  if (chord_square.sign() == 0) return AlarmCause::arc_radius_too_short;
   // 4 h^2 = 4 R^2 - chord^2, h the distance of the centre from the chord.
   const Wide height_square = Wide(4) * Wide(radius.units()) * Wide(radius.units()) - chord_square;
-  if (height_square.sign() < 0) return alarm::kArcRadius;
+  if (height_square.sign() < 0) return AlarmCause::arc_radius_too_short;
   const bool larger = radius < Count() && !fault(Fault::arc_always_smaller);
   const ByRadius made = by_radius(chord, chord_square, height_square, clockwise, larger);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -143,7 +143,7 @@ Alarm arc_by_radius(const std::array<Count, 2>& start, const std::array<Count, 2
     const double minor = 2 * positive_angle(made.height, made.chord_length);
     arc.sweep = larger ? 2 * positive_angle(-made.height, made.chord_length) : minor;
   }
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 }  // namespace toolcomp::fast

@@ -49,7 +49,7 @@ inline Alarm center_by_center(const std::array<Count, 2>& start, const std::arra
     return center_by_any_center(start, to_center, center);
   center[0] = Count::nearest_small(x);
   center[1] = Count::nearest_small(y);
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 Alarm center_by_radius(const std::array<Count, 2>& start, const std::array<Count, 2>& end, const Count& radius,
                        bool clockwise, std::array<double, 2>& center);

@@ -26,7 +26,7 @@ ToolLengthMeasurement::ToolLengthMeasurement(const spec::Setup& setup) {
   zone_ = parameter(setup, 6254).value_or(Count::of(spec::decimal(5), factor));
   if (feed) feed_ = feed->nearest();
   const bool usable = zone_ < deceleration_ && !(zone_ < Count()) && (!feed || Count() < *feed);
-  if (!usable) parameters_ = alarm::kMeasurementParameters;
+  if (!usable) parameters_ = AlarmCause::measurement_parameters;
   for (const auto& [letter, decimal] : setup.measurement) {
     const std::size_t axis = setup.axes.index(letter);
     if (axis == spec::Axes::kNone) continue;
@@ -64,7 +64,7 @@ ToolLengthMeasurement::Motion ToolLengthMeasurement::measure(std::size_t axis, c
   motion.end = coordinate(end);
   motion.difference = motion.end - commanded;
   const bool early = fault(Fault::zone_start_excluded) ? !(-zone_ < end) : end < -zone_;
-  if (!reached || early) motion.alarm = alarm::kNoSignal;
+  if (!reached || early) motion.alarm = AlarmCause::no_signal;
   return motion;
 }
 

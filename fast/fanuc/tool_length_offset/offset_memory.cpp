@@ -80,9 +80,9 @@ bool OffsetMemory::has_list(std::uint32_t list) const {
 }
 
 OffsetMemory::Write OffsetMemory::plan(std::uint32_t list, std::uint32_t number, const Count& value, bool add) const {
-  Write write{alarm::kNone, list, number, value, value};
+  Write write{AlarmCause::none, list, number, value, value};
   if (number == 0 || number > count_) {
-    write.alarm = alarm::kWriteNumber;
+    write.alarm = AlarmCause::g10_number;
     return write;
   }
   const bool wear = in_wear(list);
@@ -94,7 +94,7 @@ OffsetMemory::Write OffsetMemory::plan(std::uint32_t list, std::uint32_t number,
   const Count& limit = wear ? wear_limit_ : geometry_limit_;
   const bool to_h = !in_d(list);
   const bool to_d = in_d(list) || kind_ != spec::OffsetMemory::c;
-  if ((to_h && !within(write.h, limit)) || (to_d && !within(write.d, limit))) write.alarm = alarm::kWriteValue;
+  if ((to_h && !within(write.h, limit)) || (to_d && !within(write.d, limit))) write.alarm = AlarmCause::g10_value;
   return write;
 }
 

@@ -77,25 +77,25 @@ void ToolLengthOffset::cancel(std::size_t axis) {
 }
 
 Alarm ToolLengthOffset::restore(const Words& words, const OffsetMemory& memory) {
-  if (!pending() || type_ == Type::c || !evo_ || mode_ == Mode::off) return alarm::kNone;
+  if (!pending() || type_ == Type::c || !evo_ || mode_ == Mode::off) return AlarmCause::none;
   // A block with a length code, or an H that counts, acts by them alone.
-  if (words.code(Words::kLength) != kNone || (words.has('H') && !ofh_)) return alarm::kNone;
+  if (words.code(Words::kLength) != kNone || (words.has('H') && !ofh_)) return AlarmCause::none;
   // A block with G40, G41 or G42 puts the restoration off, but not an edited value.
   const bool back = (taken_ & last_) != 0 && (!holds_cutter_code(words) || fault(Fault::restore_in_g40));
-  if (!back && !edited_) return alarm::kNone;
+  if (!back && !edited_) return AlarmCause::none;
   const Count value = memory.h(number_);
-  if (!memory.fits(value)) return alarm::kOffsetValue;
+  if (!memory.fits(value)) return AlarmCause::offset_value;
   edited_ = false;
   if (mode_ == Mode::along_tool) {
     set_length(value);
-    return alarm::kNone;
+    return AlarmCause::none;
   }
   std::uint16_t axes = back ? last_ : static_cast<std::uint16_t>(last_ & ~taken_);
   if (back && fault(Fault::restore_any_axis)) axes = static_cast<std::uint16_t>(axes | taken_);
   taken_ = static_cast<std::uint16_t>(taken_ & ~axes);
   for (std::size_t axis = 0; axis < axes_; ++axis)
     if ((axes & bit(axis)) != 0) set(axis, signed_value(value, mode_));
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 std::uint16_t ToolLengthOffset::affected(const Words& words, Code code, std::size_t normal) const {
@@ -114,7 +114,7 @@ Alarm ToolLengthOffset::apply(const Words& words, const OffsetMemory& memory, st
   const Code code = words.code(Words::kLength);
   const bool has_h = words.has('H');
   if (code == kNone && !has_h) [[likely]]
-    return alarm::kNone;
+    return AlarmCause::none;
   if (code == 490)
     if (const Alarm a = end_mode()) return a;
 
@@ -134,41 +134,44 @@ Alarm ToolLengthOffset::apply(const Words& words, const OffsetMemory& memory, st
   if (code == 490 || mode == Mode::off || (!takes && !sets)) {
     number_ = number;
     mode_ = mode;
-    return alarm::kNone;
+    return AlarmCause::none;
   }
   const std::uint16_t axes = mode == Mode::along_tool ? std::uint16_t{0} : affected(words, code, normal);
-  if (sets && mode != Mode::along_tool && !allows(axes)) return alarm::kLengthAxisMissing;
+  if (sets && mode != Mode::along_tool) {
+    if (const Alarm a = check(axes)) return a;
+  }
   // Where it would bring back a vector that was taken away, a block with G40, G41 or G42 only stores number and mode.
   if ((taken_ & axes) != 0 && holds_cutter_code(words)) {
     number_ = number;
     mode_ = mode;
     edited_ = true;  // for the axes offset last, where those are others
-    return alarm::kNone;
+    return AlarmCause::none;
   }
   const Count value = memory.h(number);
-  if (!memory.fits(value)) return alarm::kOffsetValue;
+  if (!memory.fits(value)) return AlarmCause::offset_value;
   number_ = number;
   mode_ = mode;
   take_value(value, axes);
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 // G49.
 Alarm ToolLengthOffset::end_mode() {
-  if (std::popcount(live_) >= 3 && !fault(Fault::g49_any_number)) return alarm::kLengthAxes;
+  if (std::popcount(live_) >= 3 && !fault(Fault::g49_any_number)) return AlarmCause::length_offset_axes;
   for (std::size_t axis = 0; axis < axes_; ++axis)
     if ((live_ & bit(axis)) != 0 && (axis == z_ || !fault(Fault::g49_z_only))) set(axis, Count());
   set_length(Count());
   last_ = taken_ = 0;
   edited_ = false;
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 // Type C: at least one axis, and one at a time, unless TAL allows more.
-bool ToolLengthOffset::allows(std::uint16_t axes) const {
-  if (type_ != Type::c) return true;
-  if (!(tal_ || fault(Fault::tal_ignored)) && (std::popcount(axes) > 1 || (live_ & ~axes) != 0)) return false;
-  return axes != 0;
+Alarm ToolLengthOffset::check(std::uint16_t axes) const {
+  if (type_ != Type::c) return AlarmCause::none;
+  if (axes == 0) return AlarmCause::length_offset_without_axis;
+  const bool second = std::popcount(axes) > 1 || (live_ & ~axes) != 0;
+  return second && !(tal_ || fault(Fault::tal_ignored)) ? AlarmCause::length_offset_second_axis : AlarmCause::none;
 }
 
 void ToolLengthOffset::take_value(const Count& value, std::uint16_t axes) {

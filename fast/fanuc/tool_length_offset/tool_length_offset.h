@@ -50,7 +50,7 @@ class ToolLengthOffset {
 
   // Steps of apply().
   [[nodiscard]] Alarm end_mode();
-  [[nodiscard]] bool allows(std::uint16_t axes) const;
+  [[nodiscard]] Alarm check(std::uint16_t axes) const;
   // Of the number and mode now in force, on these axes or along the tool.
   void take_value(const Count& value, std::uint16_t axes);
   void set(std::size_t axis, const Count& value);

@@ -45,14 +45,14 @@ Alarm ToolOffset::arc(const std::array<Count, 2>& travel, const std::array<Count
   const Count radius = magnitude(center);
   const bool quarter =
       to_center[across].is_zero() && travel[arc.along] == center && magnitude(travel[across]) == radius;
-  if (!quarter && !fault(Fault::any_arc_is_offset)) return alarm::kToolOffsetArc;
+  if (!quarter && !fault(Fault::any_arc_is_offset)) return AlarmCause::tool_offset_arc;
   const Count offset_radius = radius + increase;
   if (offset_radius < Count() || (fault(Fault::zero_radius_refused) && offset_radius.is_zero()))
-    return alarm::kArcCenter;
+    return AlarmCause::arc_ends_in_center;
   arc.zero = offset_radius.is_zero();
   arc.to_center = center < Count() ? -offset_radius : offset_radius;
   if (fault(Fault::center_not_offset)) arc.to_center = center;
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 }  // namespace toolcomp::fast

@@ -35,13 +35,13 @@ struct PosturePlan {
 inline Alarm alarm_of(PosturePlan::Outcome outcome) {
   switch (outcome) {
     case PosturePlan::Outcome::unreachable:
-      return alarm::kUnreachable;
+      return AlarmCause::unreachable;
     case PosturePlan::Outcome::refused:
-      return alarm::kSingularPosture;
+      return AlarmCause::singular_posture;
     case PosturePlan::Outcome::good:
       break;
   }
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 // Plans blocks; keeps nothing between them. The machine is frozen in the mode.

@@ -264,7 +264,7 @@ void ToolSideCompensation::set_corner(SideGroup& group, const SidePath* second, 
 
 // With the check where the plane changes.
 Alarm ToolSideCompensation::make_corner(SideGroup& group, const SidePath& to, CornerRule rule) const {
-  if (!make_.make(group, rule, treatment_)) return alarm::kNoIntersection;
+  if (!make_.make(group, rule, treatment_)) return AlarmCause::no_intersection;
   const SideCorner& corner = group.corner;
   const SidePath& path = *last_;
   const bool plane_change = rule == CornerRule::ordinary && treatment_ == Treatment::none &&
@@ -274,8 +274,8 @@ Alarm ToolSideCompensation::make_corner(SideGroup& group, const SidePath& to, Co
   if (plane_change && parameters_.tilt.reached(kinematics, *path.tool, *to.tool) &&
       dot_sign(kinematics, path.travel, *path.tool, to.travel, *to.tool) >= 0 &&
       dot_sign(kinematics, path.travel, *path.tool, to.travel, *path.tool) < 0)
-    return alarm::kPlaneChangeInterference;
-  return alarm::kNone;
+    return AlarmCause::interference;
+  return AlarmCause::none;
 }
 
 void ToolSideCompensation::hold_waiting() {
@@ -299,7 +299,7 @@ StageEnd ToolSideCompensation::release() {
   mode_ = Mode::off;
   held_ = Held::nothing;
   count_ = 0;
-  return at_fault(alarm::kTypeCFormat);
+  return at_fault(AlarmCause::type_c_format);
 }
 
 void ToolSideCompensation::warn_of_mismatch(const ToolSideBlock& block) {

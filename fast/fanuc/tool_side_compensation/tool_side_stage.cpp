@@ -56,31 +56,32 @@ Alarm ToolSideStage::check(const Words& words, const Command& command) const {
   const spec::Plane selected = plane == kNone ? control_.modal.plane() : plane_of(plane);
   const bool before = on_before();
   const bool after = on_after();
-  if (is_own(code) && (code == 412 || code == 422) == command.vector) return alarm::kToolSideMode;
-  if (before && selected != control_.modal.plane()) return alarm::kPlaneChange;
+  if (is_own(code) && (code == 412 || code == 422) == command.vector) return AlarmCause::side_mode;
+  if (before && selected != control_.modal.plane()) return AlarmCause::plane_change;
 
   const bool moves = words.axes() != 0 || (command.vector && words.has_any(kDirectionLetters));
   const bool arc = words.code(Words::kOneShot) == kNone && names_arc(words, command.motion, selected);
   if (after && (words.code(Words::kWorkpiece) != kNone || words.code(Words::kUnits) != kNone ||
                 words.refused_in_space() || ((moves || arc) && words.has_any(kAuxiliaryLetters))))
-    return alarm::kForbiddenInCompensation;
-  if ((before || after) && words.code(Words::kOneShot) != kNone) return alarm::kForbiddenInCompensation;
-  if (before && (code == 410 || code == 420 || code == 413)) return alarm::kForbiddenInCompensation;
-  if (after && words.has('Q') && (whole_number(words['Q'], 3) > 3 || words['Q'].is_zero())) return alarm::kTreatment;
+    return AlarmCause::forbidden_in_compensation;
+  if ((before || after) && words.code(Words::kOneShot) != kNone) return AlarmCause::forbidden_in_compensation;
+  if (before && (code == 410 || code == 420 || code == 413)) return AlarmCause::forbidden_in_compensation;
+  if (after && words.has('Q') && (whole_number(words['Q'], 3) > 3 || words['Q'].is_zero()))
+    return AlarmCause::treatment;
 
   if (compensation_.type() == StartType::c) {
     const bool starts = after && !before;
     if ((starts || (before && !after)) && (moves || command.motion > 10 || (starts && words.suppresses_look_ahead())))
-      return alarm::kTypeCFormat;
+      return AlarmCause::type_c_format;
   } else if (arc && after != compensation_.active()) {
-    return alarm::kArcAtStartOrCancel;
+    return AlarmCause::arc_at_start_or_cancel;
   }
 
   // The value is read where the number is given, where a code comes into force, and after an edit.
   const CutterValue& value = control_.cutter_value;
   const bool reads = value.commanded(words) || (after && word_ == CutterSide::off) || value.takes_edited();
-  if (after && reads && !control_.memory.fits(value.of(value.number_after(words)))) return alarm::kOffsetValue;
-  return alarm::kNone;
+  if (after && reads && !control_.memory.fits(value.of(value.number_after(words)))) return AlarmCause::offset_value;
+  return AlarmCause::none;
 }
 
 // The code of a block, and the value of its number.
@@ -94,20 +95,20 @@ Alarm ToolSideStage::take(const Words& words, Command& command) {
   set_on(is_on());
   set_takes_moves(on_before() || on_after());
   command.taken |= takes_moves();
-  if (word_ == CutterSide::off) return alarm::kNone;
+  if (word_ == CutterSide::off) return AlarmCause::none;
   if (before == CutterSide::off || value.commanded(words) || value.takes_edited()) {
     value.take_value();
     compensation_.set_value(value.value() < Count() ? -value.value() : value.value());
   }
   sign_ = (word_ == CutterSide::right) == (value.value() < Count()) ? 1 : -1;
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 Alarm ToolSideStage::move(const Words& words, const OwnMove& own) {
   if (words.suppresses_look_ahead())
     if (const StageEnd end = compensation_.release()) {
       control_.end(end);
-      return alarm::kNone;
+      return AlarmCause::none;
     }
   return pass(words, own.extra, own.arc);
 }
@@ -119,9 +120,9 @@ Alarm ToolSideStage::plain_block(const Words& words) {
   if (control_.modal.motion() <= 10) [[likely]]
     return pass(words, false, kLine);
   if (compensation_.type() == StartType::c) {
-    if (!wanted_) return alarm::kTypeCFormat;
+    if (!wanted_) return AlarmCause::type_c_format;
   } else if (wanted_ != compensation_.active() && names_arc(words, control_.modal.motion(), control_.modal.plane())) {
-    return alarm::kArcAtStartOrCancel;
+    return AlarmCause::arc_at_start_or_cancel;
   }
   if (const Alarm a = control_.plan_arc(words, arc_, false, false)) return a;
   return pass(words, false, arc_);
@@ -183,7 +184,7 @@ Alarm ToolSideStage::pass(const Words& words, bool extra, const BlockArc& arc) {
     control.end(end);
   else
     await_usual();
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 }  // namespace toolcomp::fast

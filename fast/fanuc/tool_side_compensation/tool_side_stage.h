@@ -29,7 +29,7 @@ class ToolSideStage final : private BlockTaker, public Stage {
   [[nodiscard]] Alarm plain_block(const Words& words) override;
   void read(const Words& words, const Command& command) override;
   [[nodiscard]] Alarm check(const Words& words, const Command& command) const override;
-  [[nodiscard]] Alarm rotary_word() const override { return alarm::kRotaryWord; }
+  [[nodiscard]] Alarm rotary_word() const override { return AlarmCause::rotary_word_in_compensation; }
   [[nodiscard]] bool makes_arc(const Words& /*words*/) const override { return on_before() || on_after(); }
   [[nodiscard]] bool replaces_move(bool extra) const override {
     return compensation_.type() == StartType::c && on_before() != on_after() && !extra;

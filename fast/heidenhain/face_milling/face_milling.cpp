@@ -41,11 +41,11 @@ Alarm FaceMilling::deviate(const Meeting& meeting, const ToolVector& tool, const
                                  ? ContactAngle(normal(), tool.vector(), 0, meeting.cosine)
                                  : ContactAngle(normal(), tool.vector(), std::sqrt(meeting.square), whole_dot(tool));
   const DeviationTable& table = *effective.deviations();
-  if (!table.find(angle, deviation_)) return alarm::kAngleRange;
+  if (!table.find(angle, deviation_)) return AlarmCause::deviation_range;
   if (!fault(Fault::deviation_negative_unnoticed) &&
       table.below(effective.corner_without_deviation(), effective.nearest_corner_without_deviation(), angle,
                   deviation_))
-    return alarm::kCornerNegative;
+    return AlarmCause::corner_radius_negative;
   degrees_ = angle.degrees();
   // A ball: no ring.
   ball_ = effective.values();

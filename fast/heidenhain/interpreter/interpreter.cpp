@@ -59,7 +59,7 @@ void Interpreter::block(const Block& block) {
   head_.line = block.line;
   head_.n = block.n;
   if (block.alarm) [[unlikely]] {
-    raise(block.alarm->number.view(), block.alarm->message);
+    raise(block.alarm->cause, block.alarm->message);
     return;
   }
   if (block.statement == Statement::line_with_vectors && block.functions == 0) [[likely]] {
@@ -136,26 +136,26 @@ void Interpreter::switch_tcpm_off() {
 }
 
 // What is held is sent as if this block were absent; where that fails, its block is the one at fault.
-void Interpreter::raise(std::string_view number, const char* message) {
+void Interpreter::raise(AlarmCause cause, const char* more) {
   stopped_ = true;
   if (const Alarm a = peripheral_.release()) {
     raise_at_held(a);
     return;
   }
-  writer_.alarm(head_, number, message);
+  writer_.alarm(head_, cause, more);
 }
 
 void Interpreter::raise(const Alarm& alarm) {
-  if (!stopped_) raise(alarm.number, alarm.message);
+  if (!stopped_) raise(alarm.cause, nullptr);
 }
 
 void Interpreter::raise_at_held(const Alarm& alarm) {
   stopped_ = true;
-  writer_.alarm(peripheral_.held(), alarm.number, alarm.message);
+  writer_.alarm(peripheral_.held(), alarm.cause);
 }
 
 Alarm Interpreter::execute(const Block& block, Functions functions) {
-  if ((functions & kMachine) != 0 && tcpm_) return alarm::kMachineCoordinates;
+  if ((functions & kMachine) != 0 && tcpm_) return AlarmCause::machine_coordinates_under_tcpm;
   switch (block.statement) {
     case Statement::line:
       return line(block, functions);
@@ -201,30 +201,30 @@ Alarm Interpreter::execute(const Block& block, Functions functions) {
     case Statement::without_effect:
       break;
   }
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 Alarm Interpreter::tool_call(const Block& block) {
   face_.forget();
   if (block.tool != ToolWord::none) {
-    if (tcpm_) return alarm::kToolCall;
+    if (tcpm_) return AlarmCause::tool_call_under_tcpm;
     const bool found = block.tool == ToolWord::number
                            ? tool_.call(block.tool_number)
                            : block.tool == ToolWord::name && tool_.call(block.tool_name.view());
-    if (!found) return alarm::kNoTool;
+    if (!found) return AlarmCause::no_tool;
     side_ = 0;
   }
   Count value;
   if (block.dl) {
-    if (!parameters_.read(*block.dl, value)) return alarm::kRange;
+    if (!parameters_.read(*block.dl, value)) return AlarmCause::position_range;
     tool_.set_call_length(value);
   }
   if (block.dr) {
-    if (!parameters_.read(*block.dr, value)) return alarm::kRange;
+    if (!parameters_.read(*block.dr, value)) return AlarmCause::position_range;
     tool_.set_call_radius(value);
   }
   if (block.dr2) {
-    if (!parameters_.read(*block.dr2, value)) return alarm::kRange;
+    if (!parameters_.read(*block.dr2, value)) return AlarmCause::position_range;
     tool_.set_call_corner(value);
   }
   if (block.tool_axis != 0) {
@@ -238,20 +238,20 @@ Alarm Interpreter::datum_shift(const Block& block) {
   for (unsigned rest = block.axes; rest != 0; rest &= rest - 1) {
     const auto slot = static_cast<std::size_t>(std::countr_zero(rest));
     Count value;
-    if (!parameters_.read(block.axis[slot], value)) return alarm::kRange;
+    if (!parameters_.read(block.axis[slot], value)) return AlarmCause::position_range;
     shift_[slot] = block.is_incremental(slot) ? shift_[slot] + value : value;
-    if (!shift_[slot].in_range()) return alarm::kRange;
+    if (!shift_[slot].in_range()) return AlarmCause::position_range;
   }
   shifted_ = false;
   for (const Count& shift : shift_) shifted_ = shifted_ || !shift.is_zero();
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 Alarm Interpreter::assign(const Block& block) {
   Count value;
-  if (!parameters_.read(block.value, value)) return alarm::kRange;
+  if (!parameters_.read(block.value, value)) return AlarmCause::position_range;
   parameters_.assign(block.target, value);
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 // F counts tenths of an inch a minute in inch programs.
@@ -259,17 +259,17 @@ Alarm Interpreter::feed(const Block& block, bool call) {
   switch (block.feed) {
     case FeedWord::none:
     case FeedWord::f_max:
-      return alarm::kNone;
+      return AlarmCause::none;
     case FeedWord::f_auto:
       feed_ = call_feed_;
-      return alarm::kNone;
+      return AlarmCause::none;
     case FeedWord::f_z:
     case FeedWord::f_u:
       feed_.reset();
       break;
     case FeedWord::f: {
       Count value;
-      if (!parameters_.read(block.feed_value, value)) return alarm::kRange;
+      if (!parameters_.read(block.feed_value, value)) return AlarmCause::position_range;
       if (!inch_)
         feed_ = value.nearest();
       else if (value.is_small())
@@ -280,7 +280,7 @@ Alarm Interpreter::feed(const Block& block, bool call) {
     }
   }
   if (call) call_feed_ = feed_;
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 }  // namespace toolcomp::fast::klartext

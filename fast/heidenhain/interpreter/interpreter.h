@@ -46,7 +46,7 @@ class Interpreter {
   void end_acting(Functions functions);
   [[nodiscard]] Alarm execute(const Block& block, Functions functions);
   void raise(const Alarm& alarm);
-  void raise(std::string_view number, const char* message);
+  void raise(AlarmCause cause, const char* more);
   void raise_at_held(const Alarm& alarm);
 
   [[nodiscard]] Alarm tool_call(const Block& block);

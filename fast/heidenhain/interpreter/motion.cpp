@@ -116,26 +116,26 @@ inline Alarm Interpreter::place(const Block& block, Functions functions) {
   head_.rotary = static_cast<std::uint16_t>(rotary);
   head_.more_axes = static_cast<std::uint16_t>(rotary | parallel_axes_);
   if (travels) arrive(peripheral_.next().travel);
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 Alarm Interpreter::place_word(const Block& block, std::size_t slot, bool shifted) {
   Count value;
-  if (!parameters_.read(block.axis[slot], value)) return alarm::kRange;
+  if (!parameters_.read(block.axis[slot], value)) return AlarmCause::position_range;
   if (block.is_incremental(slot))
     value += position_[slot];
   else if (shifted)
     value += shift_[slot];
-  if (!value.in_range()) return alarm::kRange;
+  if (!value.in_range()) return AlarmCause::position_range;
   set_position(slot, value);
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 Alarm Interpreter::line(const Block& block, Functions functions) {
   modal_words(block);
   if (block.feed != FeedWord::none)
     if (const Alarm a = feed(block, false)) return a;
-  if (block.axes == 0) return alarm::kNone;
+  if (block.axes == 0) return AlarmCause::none;
   head_.rapid = block.feed == FeedWord::f_max;
   head_.feed = feed_;
   head_.warnings = block.many_digits ? kDigits : 0;
@@ -144,16 +144,16 @@ Alarm Interpreter::line(const Block& block, Functions functions) {
     direction_->turn(tool_axis_, {position_[kRotarySlot], position_[kRotarySlot + 1], position_[kRotarySlot + 2]});
   if (side_ == 0) {
     plain_motion();
-    return alarm::kNone;
+    return AlarmCause::none;
   }
   if (!tcpm_) {
     out_of_scope();
-    return alarm::kNone;
+    return AlarmCause::none;
   }
-  if (!tool_.called()) return alarm::kNoTool;
+  if (!tool_.called()) return AlarmCause::no_tool;
   if (const Alarm a = tool_.check(false, oversize_)) return a;
   peripheral_motion();
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 Alarm Interpreter::line_with_vectors(const Block& block, Functions functions) {
@@ -170,7 +170,7 @@ Alarm Interpreter::line_with_vectors(const Block& block, Functions functions) {
   if (block.has_normal) [[likely]]
     return line_with_normal(block, functions, warnings, turned);
   if (const Alarm a = place(block, functions)) return a;
-  if (!tool_.called()) return alarm::kNoTool;
+  if (!tool_.called()) return AlarmCause::no_tool;
   if (const Alarm a = tool_.check(false, oversize_)) return a;
   if (side_ == 0) warnings |= kNoLateral;
   head_.warnings = static_cast<Warnings>(warnings);
@@ -180,7 +180,7 @@ Alarm Interpreter::line_with_vectors(const Block& block, Functions functions) {
     out_of_scope();
   else
     peripheral_motion();
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 // What takes the longest begins first: vectors, then the place, then what follows from both.
@@ -192,16 +192,16 @@ inline Alarm Interpreter::line_with_normal(const Block& block, Functions functio
   if (const Alarm a = place(block, functions)) [[unlikely]]
     return a;
   if (!tool_.called()) [[unlikely]]
-    return alarm::kNoTool;
+    return AlarmCause::no_tool;
   if (side_ != 0) [[unlikely]]
-    return alarm::kRadiusWithNormal;
+    return AlarmCause::normal_with_radius_compensation;
   if (const Alarm a = face_.check(meeting, *direction_, tool_, oversize_)) [[unlikely]]
     return a;
   if (!release_before_motion()) [[unlikely]]
-    return alarm::kNone;
+    return AlarmCause::none;
   head_.warnings = static_cast<Warnings>(warnings);
   face_.mill(head_, meeting, *direction_, programmed_point(), tool_, cause());
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 bool Interpreter::release_before_motion() {

@@ -44,18 +44,18 @@ inline Alarm PeripheralMilling::corner(const Lateral& own, const Lateral& coming
     if (fault(Fault::peripheral_own_direction_at_corner))
       between = c;
     else if (!mitre(c, own, next, coming, between))
-      return alarm::kReversal;
-    return alarm::kNone;
+      return AlarmCause::opposite_directions;
+    return AlarmCause::none;
   }
-  if (!direct(own)) return alarm::kNoDirection;
+  if (!direct(own)) return AlarmCause::no_direction;
   c = last_unit_;
   const Lateral made_from = last_;
   (void)direct(coming);  // there is one
   if (fault(Fault::peripheral_own_direction_at_corner))
     between = c;
   else if (!mitre(c, made_from, last_unit_, last_, between))
-    return alarm::kReversal;
-  return alarm::kNone;
+    return AlarmCause::opposite_directions;
+  return AlarmCause::none;
 }
 
 Alarm PeripheralMilling::hold() {
@@ -64,13 +64,13 @@ Alarm PeripheralMilling::hold() {
     holds_ = first_ = true;
     last_ = {};
     held_ = next_of(held_);
-    return alarm::kNone;
+    return AlarmCause::none;
   }
   const PeripheralMotion& former = ring_[held_];
   const ToolVector& tool = fault(Fault::peripheral_tool_of_next_block) ? coming.tool : former.tool;
   Vector between;
   if (first_) {
-    if (!direct(lateral(tool, coming))) return alarm::kNoDirection;
+    if (!direct(lateral(tool, coming))) return AlarmCause::no_direction;
     between = last_unit_;
   } else if (const Alarm a = corner(lateral(tool, former), lateral(tool, coming), between)) [[unlikely]] {
     return a;
@@ -78,26 +78,26 @@ Alarm PeripheralMilling::hold() {
   send(between);
   first_ = false;
   held_ = next_of(held_);
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 Alarm PeripheralMilling::follow() {
   const PeripheralMotion& former = ring_[held_];
   Lateral own = lateral(former.tool, former);
   if (first_ && !fault(Fault::peripheral_first_by_own_travel)) own.travel = &next().travel;
-  if (!direct(own)) return alarm::kNoDirection;
+  if (!direct(own)) return AlarmCause::no_direction;
   send(last_unit_);
   holds_ = false;
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 Alarm PeripheralMilling::release() {
-  if (!holds_) return alarm::kNone;
+  if (!holds_) return AlarmCause::none;
   const PeripheralMotion& former = ring_[held_];
-  if (!direct(lateral(former.tool, former))) return alarm::kNoDirection;
+  if (!direct(lateral(former.tool, former))) return AlarmCause::no_direction;
   send(last_unit_);
   holds_ = false;
-  return alarm::kNone;
+  return AlarmCause::none;
 }
 
 void PeripheralMilling::send(const Vector& between) {

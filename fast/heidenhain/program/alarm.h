@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Alarms and warnings of Heidenhain 3D compensation. Names and texts are ours.
+// Alarms and warnings of Heidenhain 3D compensation. Names and texts of warnings are ours.
 #pragma once
 
 #include <array>
@@ -10,27 +10,7 @@
 namespace toolcomp::fast::klartext {
 
 using fast::Alarm;
-
-namespace alarm {
-
-inline constexpr Alarm kNone{};
-inline constexpr Alarm kMachineCoordinates{"E_TCPM_M91", "M91 or M92 under TCPM"};
-inline constexpr Alarm kToolCall{"E_TCPM_TOOLCALL", "tool call under TCPM"};
-inline constexpr Alarm kNoTool{"E_NO_TOOL", "no tool, or none of this number or name"};
-inline constexpr Alarm kRadiusWithNormal{"E_RC_WITH_N", "surface normal while RL or RR is in force"};
-inline constexpr Alarm kTool{"E_TOOL", "radius below 0, or corner radius below 0 or beyond the radius"};
-inline constexpr Alarm kShape{"E_3DTC_SHAPE", "a table of deviations is for ball-nose cutters"};
-inline constexpr Alarm kEffectiveTool{"E_TOOL_EFF", "effective radius below 0"};
-inline constexpr Alarm kAngleRange{"E_3DTC_RANGE", "contact angle outside the table of deviations"};
-inline constexpr Alarm kCornerNegative{"E_R2_NEG", "effective corner radius below 0"};
-inline constexpr Alarm kOversizeRadius{"E_OVERSIZE_DR", "positive radius delta without M107"};
-inline constexpr Alarm kOversizeCorner{"E_OVERSIZE_DR2", "positive corner radius delta without M107"};
-inline constexpr Alarm kCornerBeyondRadius{"E_R2_GT_R", "effective corner radius beyond the radius without M107"};
-inline constexpr Alarm kNoDirection{"E_NO_DIRECTION", "no direction of compensation: nothing moves across the tool"};
-inline constexpr Alarm kReversal{"E_REVERSAL", "opposite directions of compensation at a corner"};
-inline constexpr Alarm kRange{"POSITION_RANGE", "value or position of 1e17 or more"};
-
-}  // namespace alarm
+using fast::AlarmCause;
 
 // Warnings as bits, in the order in which a block gives them (heidenhain.face.order-of-warnings).
 enum Warning : std::uint8_t {
@@ -44,7 +24,11 @@ enum Warning : std::uint8_t {
 };
 using Warnings = std::uint8_t;
 
-inline constexpr std::array<Alarm, 7> kWarnings{{
+struct NamedWarning {
+  const char* name;
+  const char* message;
+};
+inline constexpr std::array<NamedWarning, 7> kWarnings{{
     {"W_DIGITS", "more digits than the control takes"},
     {"W_T_IGNORED", "without TCPM the tool vector is ignored"},
     {"W_NOT_NORMALIZED", "surface normal not normalized"},

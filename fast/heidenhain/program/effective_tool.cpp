@@ -137,24 +137,29 @@ void EffectiveTool::update() {
 
   // In the order of heidenhain.tool.order-of-checks; the first one counts.
   const bool table = negative(radius_) || negative(corner_) || negative(ring);
-  const auto first = [](std::initializer_list<std::pair<bool, Alarm>> checks) {
-    for (const auto& [holds, alarm] : checks)
-      if (holds) return alarm;
-    return alarm::kNone;
+  const auto first = [](std::initializer_list<std::pair<bool, AlarmCause>> checks) {
+    for (const auto& [holds, cause] : checks)
+      if (holds) return cause;
+    return AlarmCause::none;
   };
   const bool shrunk = negative(effective_radius);
   const bool corner_negative = negative(effective_corner);
   const bool oversize = positive(fault(Fault::klartext_oversize_of_table_only) ? own_.radius : radius_delta);
-  const Alarm always =
-      first({{table, alarm::kTool}, {shrunk, alarm::kEffectiveTool}, {corner_negative, alarm::kCornerNegative}});
-  const Alarm radius = first({{oversize, alarm::kOversizeRadius}});
-  const Alarm corner = first({{positive(corner_delta), alarm::kOversizeCorner}, {beyond, alarm::kCornerBeyondRadius}});
+  const Alarm always = first({{table, AlarmCause::tool_shape},
+                              {shrunk, AlarmCause::effective_radius},
+                              {corner_negative, AlarmCause::corner_radius_negative}});
+  const Alarm radius = first({{oversize, AlarmCause::oversize_radius}});
+  const Alarm corner =
+      first({{positive(corner_delta), AlarmCause::oversize_corner}, {beyond, AlarmCause::corner_beyond_radius}});
   verdict_[0][1] = verdict_[1][1] = always;
   verdict_[0][0] = always ? always : radius;
   verdict_[1][0] = always ? always : (radius ? radius : corner);
-  before_angle_ = first({{table, alarm::kTool}, {!ring.is_zero(), alarm::kShape}, {shrunk, alarm::kEffectiveTool}});
-  after_angle_[1] = alarm::kNone;
-  after_angle_[0] = first({{oversize, alarm::kOversizeRadius}, {positive(added_corner), alarm::kOversizeCorner}});
+  before_angle_ = first({{table, AlarmCause::tool_shape},
+                         {!ring.is_zero(), AlarmCause::deviation_shape},
+                         {shrunk, AlarmCause::effective_radius}});
+  after_angle_[1] = AlarmCause::none;
+  after_angle_[0] =
+      first({{oversize, AlarmCause::oversize_radius}, {positive(added_corner), AlarmCause::oversize_corner}});
 }
 
 }  // namespace toolcomp::fast::klartext

@@ -7,6 +7,7 @@ namespace toolcomp::fast::klartext {
 EventWriter::EventWriter(const spec::Setup& setup, EventSink& sink)
     : sink_(sink),
       xyz_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')},
+      numbers_(setup),
       in_order_(xyz_ == std::array<std::size_t, 3>{0, 1, 2}) {
   for (std::size_t axis = 0; axis < setup.axes.size(); ++axis) {
     const char letter = setup.axes.letter(axis);
@@ -49,8 +50,8 @@ void EventWriter::report(spec::EventKind kind, const BlockHead& head, std::strin
 
 void EventWriter::warnings(const BlockHead& head, Warnings warnings) {
   for (unsigned rest = warnings; rest != 0; rest &= rest - 1) {
-    const Alarm& warning = kWarnings[static_cast<std::size_t>(std::countr_zero(rest))];
-    report(spec::EventKind::warning, head, warning.number, warning.message);
+    const NamedWarning& warning = kWarnings[static_cast<std::size_t>(std::countr_zero(rest))];
+    report(spec::EventKind::warning, head, warning.name, warning.message);
   }
 }
 
@@ -58,8 +59,9 @@ void EventWriter::undecided(const BlockHead& head) {
   report(spec::EventKind::undecided, head, "heidenhain.peripheral.out-of-scope", "");
 }
 
-void EventWriter::alarm(const BlockHead& head, std::string_view number, const char* message) {
-  report(spec::EventKind::alarm, head, number, message);
+void EventWriter::alarm(const BlockHead& head, AlarmCause cause, const char* more) {
+  report_.alarm = cause;
+  report(spec::EventKind::alarm, head, numbers_(cause).view(), more != nullptr ? more : spec::info(cause).text);
 }
 
 }  // namespace toolcomp::fast::klartext

@@ -4,6 +4,7 @@
 
 #include "fast/basis/event.h"
 #include "fast/heidenhain/program/motion.h"
+#include "spec/language/alarm.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::fast::klartext {
@@ -30,7 +31,8 @@ class EventWriter {
   }
   void warnings(const BlockHead& head, Warnings warnings);
   void undecided(const BlockHead& head);
-  void alarm(const BlockHead& head, std::string_view number, const char* message);
+  // `more`: a text that says more than the table of alarms; nullptr: none does.
+  void alarm(const BlockHead& head, AlarmCause cause, const char* more = nullptr);
 
  private:
   [[gnu::always_inline]] void send(fast::Event& event, const MoveHead& head, const Placement& placement,
@@ -48,7 +50,8 @@ class EventWriter {
 
   EventSink& sink_;
   std::array<std::size_t, 3> xyz_;  // the axes X, Y, Z
-  bool in_order_;                   // they come first
+  spec::AlarmNumbers numbers_;
+  bool in_order_;  // they come first
   std::uint16_t linear_ = 0;
   std::uint16_t others_ = 0;  // linear axes but X, Y, Z
   fast::Event plain_;         // moves without contact

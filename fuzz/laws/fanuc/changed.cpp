@@ -62,7 +62,8 @@ bool is_alike(const model::Event& a, const model::Event& b) {
 
 bool is_open(std::span<const model::Event> events) {
   return std::ranges::any_of(events, [](const model::Event& e) {
-    return e.kind == spec::EventKind::undecided || e.number == "PS0029" || e.number == "PS0032";
+    return e.kind == spec::EventKind::undecided || e.alarm == spec::AlarmCause::offset_value ||
+           e.alarm == spec::AlarmCause::g10_value;
   });
 }
 

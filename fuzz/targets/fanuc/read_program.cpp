@@ -43,7 +43,7 @@ bool same(const Block& a, const Block& b) { return a.n == b.n && std::ranges::eq
 
 bool same_place(const Block& a, const Block& b) {
   const bool alarms = a.alarm.has_value() == b.alarm.has_value() &&
-                      (!a.alarm || (a.alarm->number == b.alarm->number && a.alarm->column == b.alarm->column));
+                      (!a.alarm || (a.alarm->cause == b.alarm->cause && a.alarm->column == b.alarm->column));
   return a.line == b.line && alarms && std::ranges::equal(a.words(), b.words(), {}, &Word::column, &Word::column);
 }
 

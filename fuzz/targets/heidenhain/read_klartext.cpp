@@ -67,7 +67,7 @@ Read kept(const Block& block) {
 
 bool same(const Read& a, const Read& b) {
   const bool alarms = a.alarm.has_value() == b.alarm.has_value() &&
-                      (!a.alarm || (a.alarm->number == b.alarm->number && a.alarm->line == b.alarm->line &&
+                      (!a.alarm || (a.alarm->cause == b.alarm->cause && a.alarm->line == b.alarm->line &&
                                     a.alarm->column == b.alarm->column));
   return alarms && a.text == b.text && a.many_digits == b.many_digits && a.statement == b.statement && a.n == b.n &&
          a.line == b.line && a.column == b.column && a.not_supported == b.not_supported;

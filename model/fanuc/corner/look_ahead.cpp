@@ -41,8 +41,7 @@ CutterOffset LookAhead::next_offset(const Step& now, bool meets_first) const {
   // however many blocks without motion lie between, and whatever the value: DIR_CHANGE_AT_STARTUP, a name of ours,
   // names it.
   if (first || meets_start)
-    raise(recorder_, Clause::fanuc_cutter_c_direction_change_at_start_up, "DIR_CHANGE_AT_STARTUP",
-          "the side changes in the block behind a start-up");
+    raise(recorder_, Clause::fanuc_cutter_c_direction_change_at_start_up, AlarmCause::side_change_at_start);
   return offset;
 }
 
@@ -156,8 +155,7 @@ Passage LookAhead::check(const Held& held, SpaceGroup& at_end, ToolArcRun* run) 
   const Passage passage = remove_interference(recorder_, here_, at_end, interferes);
   // fanuc.cutter-c.interference-alarm: Interference of the last pair, or of the only one, raises PS0041. It names the
   // block: neither it nor its corner moves are given; the block before runs to its first head.
-  if (passage == Passage::blocked)
-    raise_held(Clause::fanuc_cutter_c_interference_alarm, "PS0041", "the tool's path goes against the programmed one");
+  if (passage == Passage::blocked) raise_held(Clause::fanuc_cutter_c_interference_alarm, AlarmCause::interference);
   // fanuc.cutter-c.interference-straightened: An arc block that has interfered in its first pair is a straight block
   // from then on: the next pairs are tested as of a line from P to Q, and its own move is linear from the last vector
   // left at its start to the first left at its end, with the block's feed; cause programmed.
@@ -273,10 +271,10 @@ void LookAhead::decide_held(Step& now) {
   recorder_.at(held_.front().step.line);
 }
 
-void LookAhead::raise_held(Clause clause, spec::Name number, const char* message) {
+void LookAhead::raise_held(Clause clause, AlarmCause cause) {
   flush();
   recorder_.reach(clause);
-  Alarm alarm(number, message);
+  Alarm alarm(cause);
   alarm.line = held_.front().step.line;
   alarm.n = held_.front().step.n;
   alarm.unmade = unmade(held_.front().step);

@@ -124,7 +124,7 @@ class LookAhead {
   void emit(Step& step);
 
   // Names the first of those held.
-  [[noreturn]] void raise_held(Clause clause, spec::Name number, const char* message);
+  [[noreturn]] void raise_held(Clause clause, AlarmCause cause);
   // The blocks before go out as if this one were absent.
   [[noreturn]] void leave_open_at(Step& now, Clause clause, const char* message);
 

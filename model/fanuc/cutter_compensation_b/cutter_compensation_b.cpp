@@ -34,26 +34,25 @@ void CutterCompensationB::check_corner_arc(const CutterBlock& words) const {
   // G41, G42 or a word that gives the cutter another number in its block; with an axis word outside the plane; with a
   // direction that is zero or missing.
   if (!on() || !started_ || forbidden || !words.direction || is_zero(*words.direction))
-    raise(recorder(), Clause::fanuc_cutter_b_corner_arc_format, "PS0035",
-          "G39 outside the mode, with another code, number or axis, or without a direction");
+    raise(recorder(), Clause::fanuc_cutter_b_corner_arc_format, AlarmCause::corner_arc);
 }
 
 void CutterCompensationB::check_arc(const CutterBlock& words) const {
-  constexpr const char* kArc = "an arc in a block that starts, changes or cancels cutter compensation";
   const bool is_on = words.side != CutterSide::none;
   // fanuc.cutter-b.arc-with-code: G41 or G42 in a block that is an arc raises PS0034, a repeated code included. A block
   // is an arc where G02 or G03 is in force, no other code of group 00 stands in it, and it holds an axis word of the
   // plane, I, J, K or R.
-  if (is_on && words.code) raise(recorder(), Clause::fanuc_cutter_b_arc_with_code, "PS0034", kArc);
+  if (is_on && words.code) raise(recorder(), Clause::fanuc_cutter_b_arc_with_code, AlarmCause::arc_at_start_or_cancel);
   // fanuc.cutter-b.arc-with-number: A word that gives the cutter another number than the one in force, in a block that
   // is an arc while the mode is on, raises PS0034.
-  if (is_on && changes_number(words)) raise(recorder(), Clause::fanuc_cutter_b_arc_with_number, "PS0034", kArc);
+  if (is_on && changes_number(words))
+    raise(recorder(), Clause::fanuc_cutter_b_arc_with_number, AlarmCause::arc_at_start_or_cancel);
   // fanuc.cutter-b.arc-at-start-up: An arc as the first block that would make a vector (the start-up) raises PS0034.
-  if (is_on && !started_) raise(recorder(), Clause::fanuc_cutter_b_arc_at_start_up, "PS0034", kArc);
+  if (is_on && !started_) raise(recorder(), Clause::fanuc_cutter_b_arc_at_start_up, AlarmCause::arc_at_start_or_cancel);
   // fanuc.cutter-b.arc-at-cancel: G40 in a block that is an arc raises PS0034 while the vector is not zero; a zero
   // vector leaves the arc as programmed.
   if (!is_on && on() && recorder().decide(Clause::fanuc_cutter_b_arc_at_cancel, !is_zero(vector_)))
-    throw Alarm("PS0034", kArc);
+    throw Alarm(AlarmCause::arc_at_start_or_cancel);
 }
 
 void CutterCompensationB::take(const Step& step) {

@@ -59,8 +59,7 @@ Rational CutterBRules::to_the_left(const CutterBlock& block) const {
 // fanuc.cutter-b.arc-ends-in-center: An arc whose end is its centre has no direction there and raises PS0038.
 PlanePoint CutterBRules::at_end_of_arc(const CutterBlock& block) const {
   const PlanePoint to_end = block.end - block.arc->center;
-  if (is_zero(to_end))
-    raise(recorder_, Clause::fanuc_cutter_b_arc_ends_in_center, "PS0038", "an arc whose end is its centre");
+  if (is_zero(to_end)) raise(recorder_, Clause::fanuc_cutter_b_arc_ends_in_center, AlarmCause::arc_ends_in_center);
   recorder_.reach(Clause::fanuc_cutter_b_arc_vector);
   const PlanePoint tangent = block.arc_direction == spec::ArcDirection::ccw ? left(to_end) : -left(to_end);
   return across(to_the_left(block), tangent);

@@ -33,9 +33,7 @@ SpaceGroup CutterCompensationC::group_before(const Held& held, const CutterBlock
   const auto group = rules_.group(corner);
   // fanuc.cutter-c.no-intersection: An inner corner with an arc, R' >= 0, whose offset paths do not meet raises PS0033.
   // It names A: neither A nor a corner move of A is given, the blocks before are given as computed with A present.
-  if (!group)
-    ahead_.raise_held(Clause::fanuc_cutter_c_no_intersection, "PS0033",
-                      "the offset paths of an inner corner do not meet");
+  if (!group) ahead_.raise_held(Clause::fanuc_cutter_c_no_intersection, AlarmCause::no_intersection);
   return in_space(said(held.step).plane, *group);
 }
 

@@ -50,8 +50,7 @@ void CutterCompensationC::check(const CutterBlock& words) const {
   // words: G02 or G03 in force, no other code of group 00 (G45 to G48 are none here), and an axis word of the plane, R,
   // I, J or K in the block.
   if (starts || cancels)
-    raise(recorder(), Clause::fanuc_cutter_c_start_or_cancel_in_arc, "PS0034",
-          "cutter compensation started or cancelled in an arc");
+    raise(recorder(), Clause::fanuc_cutter_c_start_or_cancel_in_arc, AlarmCause::arc_at_start_or_cancel);
 }
 
 void CutterCompensationC::check_corner_arc(const CutterBlock& words) const {
@@ -63,7 +62,7 @@ void CutterCompensationC::check_corner_arc(const CutterBlock& words) const {
   // after G53, G28, G30 or G29 of the plane); G39 with G41, G42, an axis word, or a word that gives the cutter another
   // number; G39 with letters of the plane that are all 0.
   if (!wanted(words) || !has_vector || has_side_word(words) || words.axis_word || other_number || no_direction)
-    raise(recorder(), Clause::fanuc_cutter_c_corner_arc_alarm, "PS0035", "G39 where no corner arc can be");
+    raise(recorder(), Clause::fanuc_cutter_c_corner_arc_alarm, AlarmCause::corner_arc);
 }
 
 void CutterCompensationC::take(const Step& step) {
@@ -167,7 +166,7 @@ void CutterCompensationC::take_moving(Step& now) {
   // start or its end raises PS0038, both alike: an alarm of a command, behind those that the words alone raise (PS0034
   // of a start-up in an arc among them) and those of the length offset.
   if (block.arc && !block.arc->sweep)
-    raise(recorder(), Clause::fanuc_cutter_c_arc_ends_in_center, "PS0038", "an arc about its start or its end");
+    raise(recorder(), Clause::fanuc_cutter_c_arc_ends_in_center, AlarmCause::arc_ends_in_center);
   const CutterOffset offset = ahead_.next_offset(now, true);
   const OffsetPath path = path_of(block, offset, ahead_.last_offset().distance);
   meet_corner(now, path, offset);

@@ -7,13 +7,7 @@
 #include "model/basis/alarm.h"
 
 namespace toolcomp::model {
-namespace {
-
-constexpr const char* kStartFormat = "a move, or a code that stops the look-ahead, in the block with G41.3";
-constexpr const char* kCancelFormat = "a move in the block that cancels the leading edge offset";
-constexpr const char* kNoMovement = "the block after G41.3 has no linear movement";
-
-}  // namespace
+namespace {}  // namespace
 
 LeadingEdgeOffset::LeadingEdgeOffset(const Place& place)
     : StageOf(place), memory_(place.memory), rules_(place.setup, place.recorder) {}
@@ -34,14 +28,12 @@ std::shared_ptr<StageWords> LeadingEdgeOffset::read(const StageCommand& now) {
     // fanuc.leading-edge.start-format: An axis word (I J K under G43.5 included), M00, M01, M02 or M30 in the G41.3
     // block raises PS5406.
     if (now.moves() || codes.stops_look_ahead)
-      raise(recorder(), Clause::fanuc_leading_edge_start_format, "PS5406", kStartFormat);
+      raise(recorder(), Clause::fanuc_leading_edge_start_format, AlarmCause::leading_edge_format);
     // fanuc.leading-edge.start-in-arc-mode: G41.3 while G02 or G03 is in force raises PS5408.
     if (command.is_arc_motion())
-      raise(recorder(), Clause::fanuc_leading_edge_start_in_arc_mode, "PS5408",
-            "leading edge offset started in G02 or G03");
+      raise(recorder(), Clause::fanuc_leading_edge_start_in_arc_mode, AlarmCause::leading_edge_start);
     // fanuc.leading-edge.repeated: G41.3 while the mode is on raises PS5407.
-    if (active_)
-      raise(recorder(), Clause::fanuc_leading_edge_repeated, "PS5407", "G41.3 while the leading edge offset is on");
+    if (active_) raise(recorder(), Clause::fanuc_leading_edge_repeated, AlarmCause::leading_edge_command);
     // fanuc.leading-edge.start-with-d0: G41.3 with D0 in force starts nothing: the state stays cancelled, and the next
     // block is free. A number whose value is 0 starts the mode with vectors of length 0. The format of the block is
     // checked in both cases.
@@ -52,13 +44,12 @@ std::shared_ptr<StageWords> LeadingEdgeOffset::read(const StageCommand& now) {
     if (codes.compensation == Compensation::cancel || by_number) {
       // fanuc.leading-edge.cancel-format: An axis word (I J K under G43.5 included) in the block that cancels the mode
       // raises PS5406.
-      if (now.moves()) raise(recorder(), Clause::fanuc_leading_edge_cancel_format, "PS5406", kCancelFormat);
+      if (now.moves()) raise(recorder(), Clause::fanuc_leading_edge_cancel_format, AlarmCause::leading_edge_format);
       block->code = Code::cancel;
     }
     // fanuc.leading-edge.arc: G02 or G03 while the mode is on, in the block that cancels it too, raises PS5407: only
     // G00 and G01 are allowed.
-    if (command.is_arc_motion())
-      raise(recorder(), Clause::fanuc_leading_edge_arc, "PS5407", "G02 or G03 while the leading edge offset is on");
+    if (command.is_arc_motion()) raise(recorder(), Clause::fanuc_leading_edge_arc, AlarmCause::leading_edge_command);
   }
   if (!active_ && block->code == Code::none) return nullptr;
   if (block->code != Code::cancel) {
@@ -90,8 +81,7 @@ void LeadingEdgeOffset::forbid(const StageCommand& now) const {
   // alarm number is not known): G04 G10 G28 G29 G30 G30.1 G37 G39 G41 G42 G41.2 G42.2 G41.6 G42.6 G45 to G48 G52 G53
   // G92 G54 to G59 G54.1 G20 G21 G96 G97 G160 G05 but for P10000, and an M, S or T word together with an axis word.
   if (code || (codes.auxiliary && now.moves()))
-    raise(recorder(), Clause::fanuc_leading_edge_forbidden, "FORBIDDEN_IN_3D_COMPENSATION",
-          "a command that is not allowed while the leading edge offset is on");
+    raise(recorder(), Clause::fanuc_leading_edge_forbidden, AlarmCause::forbidden_in_compensation);
 }
 
 void LeadingEdgeOffset::take(const Step& step) {
@@ -142,7 +132,7 @@ void LeadingEdgeOffset::take_other(const Step& step) {
   // fanuc.leading-edge.no-movement-after-start: PS5407 at the G41.3 block where the block right after it has no linear
   // movement: no travel in X Y Z, G40, the end of the program, or a block that raises an alarm of its own.
   if (step.has_word && starting_)
-    start_alarm(Clause::fanuc_leading_edge_no_movement_after_start, "PS5407", kNoMovement);
+    start_alarm(Clause::fanuc_leading_edge_no_movement_after_start, AlarmCause::leading_edge_command);
   if (!held_) {
     emit(step);
     return;
@@ -165,7 +155,7 @@ void LeadingEdgeOffset::take_other(const Step& step) {
 
 // The block before makes its vector from its own movement; then the tool returns to the programmed point.
 void LeadingEdgeOffset::take_cancel(const Step& step) {
-  if (starting_) start_alarm(Clause::fanuc_leading_edge_no_movement_after_start, "PS5407", kNoMovement);
+  if (starting_) start_alarm(Clause::fanuc_leading_edge_no_movement_after_start, AlarmCause::leading_edge_command);
   if (held_) {
     decide_held();
     if (step.stops_look_ahead) {
@@ -191,7 +181,7 @@ void LeadingEdgeOffset::take_cancel(const Step& step) {
 
 void LeadingEdgeOffset::finish() {
   if (!held_) return;
-  if (starting_) start_alarm(Clause::fanuc_leading_edge_no_movement_after_start, "PS5407", kNoMovement);
+  if (starting_) start_alarm(Clause::fanuc_leading_edge_no_movement_after_start, AlarmCause::leading_edge_command);
   decide_held();
   // fanuc.leading-edge.kept-at-the-end: At the end of the program, and before a block that ends the run by an alarm,
   // the vector made before is kept.
@@ -227,10 +217,10 @@ void LeadingEdgeOffset::emit(const Step& step, spec::Cause inserted) {
   hand_on(out);
 }
 
-void LeadingEdgeOffset::start_alarm(Clause clause, spec::Name alarm, const char* message) {
+void LeadingEdgeOffset::start_alarm(Clause clause, AlarmCause cause) {
   decide_held();
   recorder().reach(clause);
-  Alarm raised(alarm, message);
+  Alarm raised(cause);
   raised.line = held_->line;
   raised.n = held_->n;
   held_.reset();

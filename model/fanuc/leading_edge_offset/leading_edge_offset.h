@@ -52,7 +52,7 @@ class LeadingEdgeOffset : public StageOf<EdgeBlock> {
   void emit(const Step& step, spec::Cause inserted);
   // Decisions from here on belong to the block held.
   void decide_held() { recorder().at(held_->line); }
-  [[noreturn]] void start_alarm(Clause clause, spec::Name alarm, const char* message);
+  [[noreturn]] void start_alarm(Clause clause, AlarmCause cause);
 
   const OffsetMemory& memory_;
   EdgeRules rules_;

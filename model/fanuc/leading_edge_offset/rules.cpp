@@ -104,8 +104,7 @@ EdgeVector EdgeRules::first(const Vector& movement, const Direction& tool, const
     case EdgeAngle::against:
       // fanuc.leading-edge.start-along-the-tool: At the start an angle that counts as 0 or 180 degrees raises PS5408 at
       // the G41.3 block. That the ranges of 19631 hold here is our definition.
-      raise(recorder_, Clause::fanuc_leading_edge_start_along_the_tool, "PS5408",
-            "leading edge offset started with the tool along the movement");
+      raise(recorder_, Clause::fanuc_leading_edge_start_along_the_tool, AlarmCause::leading_edge_start);
     case EdgeAngle::across: {
       // fanuc.leading-edge.start-across: At the start an angle that counts as 90 degrees has no vector before it: the
       // sign of the angle itself decides, an exact right angle as if the tool leaned forward.

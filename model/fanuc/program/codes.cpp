@@ -25,7 +25,8 @@ std::optional<std::uint64_t> tenths(const spec::Decimal& value) {
 
 [[noreturn]] void raise_unknown(Recorder& recorder, const std::optional<std::uint64_t>& code) {
   const char* const known = code ? spec::code_not_supported(*code) : nullptr;
-  raise(recorder, Clause::fanuc_program_unknown_code, "PS0010", known != nullptr ? known : "there is no such G code");
+  raise(recorder, Clause::fanuc_program_unknown_code, AlarmCause::unknown_code,
+        known != nullptr ? known : "there is no such G code");
 }
 
 constexpr std::size_t kAdditional = 6;  // of G54.1 P1
@@ -239,7 +240,7 @@ std::size_t additional_system(const Words& words, Recorder& recorder) {
   if (p == nullptr) return kAdditional;
   const Rational number = plain(*p);
   if (denominator(number) != 1 || number < 1 || number > spec::kAdditionalWorkpieces)
-    throw Alarm("PS0030", "G54.1 with a P that names no workpiece system");
+    throw Alarm(AlarmCause::workpiece_number);
   return kAdditional + static_cast<std::size_t>(numerator(number)) - 1;
 }
 
@@ -249,7 +250,7 @@ std::optional<std::uint32_t> offset_number(const spec::Decimal* word, const spec
   // fanuc.program.offset-number-range: An H or D number beyond the number of offsets raises PS0030, whatever the block
   // does with it.
   if (word->digits > setup.offset_count)
-    raise(recorder, Clause::fanuc_program_offset_number_range, "PS0030", "offset number beyond the tool offset memory");
+    raise(recorder, Clause::fanuc_program_offset_number_range, AlarmCause::offset_number);
   return static_cast<std::uint32_t>(word->digits);
 }
 
@@ -286,13 +287,14 @@ Codes read_codes(const spec::Block& block, const Words& words, const spec::Setup
   // compensation. That section is not built: PS0010, as of a code that is not supported.
   if (side && !codes.letters_are_data && words.has('I') && words.has('J') && words.has('K') &&
       setup.cutter_compensation == spec::CutterCompensationType::c)
-    raise(recorder, Clause::fanuc_cutter_c_three_dimensional, "PS0010", "three-dimensional compensation is not built");
+    raise(recorder, Clause::fanuc_cutter_c_three_dimensional, AlarmCause::unknown_code,
+          "three-dimensional compensation is not built");
   codes.writes_origin = codes.one_shot == OneShot::data && names_origin(words);
   // fanuc.memory.g10-kind: G10 writes by L: memory A L11; B L10 geometry, L11 wear; C L10 and L11 for H, L12 and L13
   // for D; L1 is L11. L2 and L20 write workpiece origins (fanuc.program.origin). Any other L, and none, raises PS0010:
   // that use of G10 is not supported.
   if (codes.one_shot == OneShot::data && !codes.writes_origin && !offset_kind(words, setup.memory))
-    raise(recorder, Clause::fanuc_memory_g10_kind, "PS0010", "G10 with an L that this offset memory does not have");
+    raise(recorder, Clause::fanuc_memory_g10_kind, AlarmCause::g10_kind);
   codes.h = offset_number(words.find('H'), setup, recorder);
   codes.d = offset_number(words.find('D'), setup, recorder);
   if (codes.workpiece == kAdditional) codes.workpiece = additional_system(words, recorder);

@@ -21,19 +21,19 @@ spec::MoveType straight(Motion motion) {
   // program is looked for in the text, where its head O and number, or its name in < >, begins a line, and then among
   // the files beside it. No such program, and none named, raises PS0076, more than 10 calls one inside the other
   // PS0077.
-  if (alarm.number == spec::Name("PS0076") || alarm.number == spec::Name("PS0077"))
+  if (alarm.cause == AlarmCause::program_missing || alarm.cause == AlarmCause::calls_too_deep)
     recorder.reach(Clause::fanuc_program_call);
   // fanuc.program.return: A block with M99 runs, then ends its program, and so does the end of its text: the program
   // that has called it goes on behind the call; with P, from the first block behind the call that has the sequence
   // number P, once, and PS0078 where there is none.
-  else if (alarm.number == spec::Name("PS0078"))
+  else if (alarm.cause == AlarmCause::sequence_number_missing)
     recorder.reach(Clause::fanuc_program_return);
   // fanuc.program.unreadable-block: A block that cannot be read raises the alarm of reading when it is reached: PS0003
   // too many digits, PS0004 no address, PS0005 no digit, PS0006 a sign, PS0007 a point, PS0009 an unknown letter. It
   // ends the run.
   else
     recorder.reach(Clause::fanuc_program_unreadable_block);
-  throw Alarm(alarm.number, alarm.message);
+  throw Alarm(alarm.cause, alarm.message);
 }
 
 }  // namespace
@@ -168,7 +168,7 @@ std::vector<Leg> Interpreter::reference_legs(const Command& command) {
       // fanuc.program.reference-number: P of G30 names reference position 2, 3 or 4; without P it is 2; another number
       // raises PS0046.
       if (recorder_.decide(Clause::fanuc_program_reference_number, number != 2 && number != 3 && number != 4))
-        throw Alarm("PS0046", "G30 with a P that names none of the reference positions 2, 3, 4");
+        throw Alarm(AlarmCause::reference_number);
     }
   }
   Leg intermediate = ordinary(command, spec::MoveType::rapid);
@@ -219,8 +219,7 @@ std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Le
   if (r == nullptr && !center) {
     // fanuc.program.arc-without-center: An axis word of the plane under G02 or G03 without I J K and without R raises
     // PS0023.
-    if (travels)
-      raise(recorder_, Clause::fanuc_program_arc_without_center, "PS0023", "an arc without radius or centre");
+    if (travels) raise(recorder_, Clause::fanuc_program_arc_without_center, AlarmCause::arc_without_center);
     // fanuc.program.arc-without-plane-words: Under G02 or G03 a block without an axis word of the plane and without I J
     // K R moves the other axes in a straight line.
     recorder_.reach(Clause::fanuc_program_arc_without_plane_words);
@@ -257,7 +256,7 @@ std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Le
     else if (compensated)
       geometry.center = start;
     else
-      throw Alarm("PS0023", "an arc whose centre is its start");
+      throw Alarm(AlarmCause::arc_without_center);
   }
   if (first != spec::Axes::kNone) arc.center.set(first, geometry.center[0]);
   if (second != spec::Axes::kNone) arc.center.set(second, geometry.center[1]);
@@ -285,7 +284,7 @@ void Interpreter::write_origins(const Command& command) {
   // L20 it is that of G54.1. Another number, and none, raises PS0031.
   if (recorder_.decide(Clause::fanuc_program_origin_number,
                        denominator(number) != 1 || number < first || number > last))
-    throw Alarm("PS0031", "G10 with a P that names no workpiece system");
+    throw Alarm(AlarmCause::g10_workpiece);
   const auto named = static_cast<std::size_t>(numerator(number));
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     if (!command.words.has(axes_.letter(i))) continue;

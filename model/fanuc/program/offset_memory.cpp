@@ -99,7 +99,7 @@ Rational OffsetMemory::applied(const Table& table, std::uint32_t number) const {
   // fanuc.memory.value-too-large: A value that is beyond the geometry range of the memory when a command applies it
   // raises PS0029. Ranges: geometry IS-A 999.99 mm, 99.999 inch; IS-B 999.999, 99.9999; IS-C 999.9999, 99.99999.
   if (recorder_.decide(Clause::fanuc_memory_value_too_large, magnitude(value) > geometry_limit_))
-    throw Alarm("PS0029", "tool offset value beyond the range of the memory");
+    throw Alarm(AlarmCause::offset_value);
   return value;
 }
 
@@ -112,7 +112,7 @@ std::optional<OffsetWrite> OffsetMemory::read_write(const Words& words, const Nu
   // fanuc.memory.g10-number: P of G10 names the offset number; a number that is not whole, 0, beyond the memory or
   // missing raises PS0031.
   if (denominator(number) != 1 || number < 1 || number > count_)
-    raise(recorder_, Clause::fanuc_memory_g10_number, "PS0031", "G10 with an offset number that does not exist");
+    raise(recorder_, Clause::fanuc_memory_g10_number, AlarmCause::g10_number);
   write.number = static_cast<std::uint32_t>(numerator(number));
 
   const spec::Decimal* const r = words.find('R');
@@ -126,8 +126,7 @@ std::optional<OffsetWrite> OffsetMemory::read_write(const Words& words, const Nu
   // fanuc.memory.g10-range: A value that G10 would store beyond the range of its store raises PS0032. Wear ranges are a
   // tenth of the geometry ranges in whole digits: IS-A 99.99 mm, 9.999 inch; IS-B 99.999, 9.9999; IS-C 99.9999,
   // 9.99999.
-  if (recorder_.decide(Clause::fanuc_memory_g10_range, too_large))
-    throw Alarm("PS0032", "G10 with a value beyond the range of the memory");
+  if (recorder_.decide(Clause::fanuc_memory_g10_range, too_large)) throw Alarm(AlarmCause::g10_value);
   return write;
 }
 

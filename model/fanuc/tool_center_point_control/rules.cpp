@@ -98,15 +98,13 @@ void TipRules::require_table_still(const Machine& machine, spec::Plane plane, co
     Vector normal;
     component(normal, normal_axis(plane)) = 1;
     if (!is_zero(cross(axis.line, normal)))
-      raise(recorder_, Clause::fanuc_tool_center_point_arc_in_workpiece_system, "PS5421",
-            "an arc in the workpiece coordinate system while a table axis not normal to its plane is turned");
+      raise(recorder_, Clause::fanuc_tool_center_point_arc_in_workpiece_system, AlarmCause::table_turned_in_arc);
     turned_about_normal = true;
   };
   if (machine.type() == MachineType::table) look_at(machine.tool_side(), &Pose::tool);
   look_at(machine.work_side(), &Pose::work);
   if (turned_about_normal)
-    raise(recorder_, Clause::fanuc_tool_center_point_arc_with_table_turned, "ARC_WITH_TABLE_TURNED",
-          "an arc in the workpiece coordinate system while the table is turned");
+    raise(recorder_, Clause::fanuc_tool_center_point_arc_with_table_turned, AlarmCause::arc_with_table_turned);
 }
 
 }  // namespace toolcomp::model

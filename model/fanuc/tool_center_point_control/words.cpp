@@ -57,20 +57,18 @@ void ToolCenterPointControl::restrict_mode(const Command& command, const ToolLen
   // fanuc.tool-center-point.forbidden: G28 G29 G30 G30.1 G37 G39 G41 G42 G45 to G48 G52 G53 G54 to G59 G54.1 G92 and
   // G10 L2 L20 in a block under G43.4 or G43.5, the block of the code included, raise FORBIDDEN_UNDER_TOOL_DIRECTION.
   if (marks.tip_control && (leaves_the_path(codes.one_shot) || codes.workpiece || codes.writes_origin || cutter))
-    raise(recorder_, Clause::fanuc_tool_center_point_forbidden, "FORBIDDEN_UNDER_TOOL_DIRECTION",
-          "a command that is not allowed while G43.4 or G43.5 is in force");
+    raise(recorder_, Clause::fanuc_tool_center_point_forbidden, AlarmCause::forbidden_under_tool_direction);
   const bool axis_offset_code = codes.length == LengthCode::plus || codes.length == LengthCode::minus;
   // fanuc.tool-center-point.exclusion: G43 or G44 under tool center point control, and G43.4 or G43.5 while an axis has
   // a length offset that is not zero, raise LENGTH_OFFSET_EXCLUSION: G49 has to stand between.
   if (axis_offset_code || (marks.starts && length.axis_offset()))
-    raise(recorder_, Clause::fanuc_tool_center_point_exclusion, "LENGTH_OFFSET_EXCLUSION",
-          "G43 or G44 together with G43.4 or G43.5; G49 must stand between");
+    raise(recorder_, Clause::fanuc_tool_center_point_exclusion, AlarmCause::length_offset_exclusion);
 }
 
 void ToolCenterPointControl::restrict_start(const Command& command, const TipMarks& marks) {
   // fanuc.tool-center-point.without-kinematics: With 19680 = 0 G43.4 raises PS5459.
   const bool without = recorder_.decide(Clause::fanuc_tool_center_point_without_kinematics, !machine_);
-  if (without && !marks.directed) throw Alarm("PS5459", "G43.4 on a machine without kinematics (19680 = 0)");
+  if (without && !marks.directed) throw Alarm(AlarmCause::tip_control_parameters);
   // fanuc.tool-center-point.programming-system: 19696 bit 5, WKP: 0 programs in the table coordinate system, a copy of
   // the workpiece system fixed to the table, which turns with the table and not with a head; 1 programs in the
   // workpiece system, which does not turn. Events give the programmed end, the point and the tool axis in the
@@ -79,8 +77,7 @@ void ToolCenterPointControl::restrict_start(const Command& command, const TipMar
   if (!without &&
       recorder_.decide(Clause::fanuc_tool_center_point_programming_system, machine_->programs_workpiece()) &&
       marks.directed)
-    raise(recorder_, Clause::fanuc_tool_center_point_type_2_in_workpiece_system, "PS5459",
-          "G43.5 in the workpiece coordinate system (19696#5 = 1)");
+    raise(recorder_, Clause::fanuc_tool_center_point_type_2_in_workpiece_system, AlarmCause::tip_control_parameters);
   read_posture_word(command);
   if (without) return;
   if (marks.directed || with_posture_) {
@@ -90,7 +87,7 @@ void ToolCenterPointControl::restrict_start(const Command& command, const TipMar
     // conventional control, without a warning. Asked in the block of G43.5, and of G43.4 with posture control, on a
     // machine with 19680 other than 0.
     if (recorder_.decide(Clause::fanuc_tool_center_point_not_invertible, !inverse) && marks.directed)
-      throw Alarm("PS5459", "G43.5 on a machine whose axes do not turn the tool to every direction about them");
+      throw Alarm(AlarmCause::tip_control_parameters);
     with_posture_ = with_posture_ && inverse;
   }
   if (marks.directed) choice_->require_ranges();
@@ -106,8 +103,7 @@ void ToolCenterPointControl::read_posture_word(const Command& command) {
   }
   const Rational value = plain(*p);
   // fanuc.tool-posture.word-value: P of another value than 0 or 1 in the block of G43.4 or G43.5 raises PS5421.
-  if (value != 0 && value != 1)
-    raise(recorder_, Clause::fanuc_tool_posture_word_value, "PS5421", "P of G43.4 or G43.5 other than 0 or 1");
+  if (value != 0 && value != 1) raise(recorder_, Clause::fanuc_tool_posture_word_value, AlarmCause::tip_control_word);
   // fanuc.tool-posture.word: P of the block of G43.4 or G43.5: P1 chooses posture control, P0 conventional control,
   // until G49.
   with_posture_ = recorder_.decide(Clause::fanuc_tool_posture_word, value == 1);
@@ -120,8 +116,7 @@ void ToolCenterPointControl::restrict_compensation(const Command& command, const
   // offset or in the block that starts it, or where tool side compensation is on before or after the block; G43.4 or
   // G43.5 in a block under G02 or G03.
   if ((in_space.any() && (marks.starts || marks.ends)) || (marks.starts && command.is_arc_motion()))
-    raise(recorder_, Clause::fanuc_tool_center_point_format, "TOOL_DIRECTION_FORMAT",
-          "G43.4, G43.5 or their end in a compensation in space, or G43.4 or G43.5 in G02 or G03");
+    raise(recorder_, Clause::fanuc_tool_center_point_format, AlarmCause::tool_direction_format);
   const bool on_table = machine_ && machine_->programs_workpiece() && machine_->type() != MachineType::head;
   // fanuc.tool-center-point.compensation-in-workpiece-system: With WKP = 1 on a machine with a table axis (19680 = 12,
   // 21) COMPENSATION_IN_WORKPIECE_SYSTEM, a name of ours, is raised by a block under G43.4 after which tool side
@@ -129,8 +124,7 @@ void ToolCenterPointControl::restrict_compensation(const Command& command, const
   // not built: set or not, the block is refused.
   if (marks.tip_control && on_table && in_space.after)
     raise(recorder_, Clause::fanuc_tool_center_point_compensation_in_workpiece_system,
-          "COMPENSATION_IN_WORKPIECE_SYSTEM",
-          "a compensation in space with a table axis in the workpiece coordinate system (19696#5 = 1)");
+          AlarmCause::compensation_in_workpiece_system);
 }
 
 void ToolCenterPointControl::restrict_words(const Command& command, const TipMarks& marks,
@@ -139,8 +133,7 @@ void ToolCenterPointControl::restrict_words(const Command& command, const TipMar
     stages.refuse_rotary_word(command);
     // fanuc.tool-center-point.rotary-word: A rotary axis word in a block under G43.5, the block of the code included,
     // raises PS5421 (with tool side compensation PS5460, fanuc.tool-side.rotary-word).
-    raise(recorder_, Clause::fanuc_tool_center_point_rotary_word, "PS5421",
-          "a rotary axis word while G43.5 is in force");
+    raise(recorder_, Clause::fanuc_tool_center_point_rotary_word, AlarmCause::tool_direction);
   }
   if (!command.direction) return;
   const bool on_table = machine_ && machine_->type() != MachineType::head;
@@ -148,10 +141,10 @@ void ToolCenterPointControl::restrict_words(const Command& command, const TipMar
   // there, to the pair chosen by fanuc.tool-center-point.choice, with P0 and P1 alike and without a lean; with a table
   // axis (types 12, 21) PS5421 is raised.
   if (marks.starts && recorder_.decide(Clause::fanuc_tool_center_point_direction_at_start, on_table))
-    throw Alarm("PS5421", "I J K in the block of G43.5 on a machine with a table axis");
+    throw Alarm(AlarmCause::direction_at_start);
   // fanuc.tool-center-point.zero: I J K that are all zero under G43.5 raise PS5421.
   if (is_zero_word(command, 'I') && is_zero_word(command, 'J') && is_zero_word(command, 'K'))
-    raise(recorder_, Clause::fanuc_tool_center_point_zero, "PS5421", "a tool direction of which all of I J K are zero");
+    raise(recorder_, Clause::fanuc_tool_center_point_zero, AlarmCause::tool_direction);
 }
 
 void ToolCenterPointControl::restrict_arc(const Command& command, const TipMarks& marks) const {
@@ -163,15 +156,14 @@ void ToolCenterPointControl::restrict_arc(const Command& command, const TipMarks
   // R alone. A word of the plane without R under G02 or G03 raises PS5421 (the number is ours). A full circle cannot be
   // given: R with an end that is the start raises PS0023 (fanuc.program.arc-radius-without-chord).
   if (marks.directed && !radius && (named(in_plane.first) || named(in_plane.second)))
-    raise(recorder_, Clause::fanuc_tool_center_point_arc_by_radius, "PS5421", "an arc under G43.5 without R");
+    raise(recorder_, Clause::fanuc_tool_center_point_arc_by_radius, AlarmCause::tip_control_arc);
   const bool turns = marks.directed ? command.direction
                                     : has_axis_word(command, spec::is_rotary_axis) && !command.direction && !radius;
   // fanuc.tool-center-point.arc-rotary-only: A block under G02 or G03 that would turn the tool alone raises PS5421:
   // under G43.4 a rotary axis word without a linear axis word and without I J K R, under G43.5 I J K without a linear
   // axis word. The manual allows it in G00 and G01 only; the number is ours.
   if (turns && !has_axis_word(command, spec::is_linear_axis))
-    raise(recorder_, Clause::fanuc_tool_center_point_arc_rotary_only, "PS5421",
-          "the tool turned alone under G02 or G03");
+    raise(recorder_, Clause::fanuc_tool_center_point_arc_rotary_only, AlarmCause::tip_control_arc);
 }
 
 }  // namespace toolcomp::model

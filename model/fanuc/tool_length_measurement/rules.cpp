@@ -25,32 +25,30 @@ void ToolLengthMeasurement::read(const Command& command, std::uint32_t number, b
   // fanuc.length-measurement.number-in-block: An H word in the block with G37 raises PS0082, whatever OFH says and
   // whatever else stands in it (G43, G44 and G49 too): the number is given in a block before it.
   if (codes.h)
-    raise(recorder_, Clause::fanuc_length_measurement_number_in_block, "PS0082", "an H word in the block with G37");
+    raise(recorder_, Clause::fanuc_length_measurement_number_in_block, AlarmCause::measurement_number_in_block);
   // fanuc.length-measurement.number-zero: G37 while the H number of the length offset is 0 raises PS0081. It is the
   // number that fanuc.length-offset.one-number keeps: no G43 or G44 need be in force.
   if (number == 0)
-    raise(recorder_, Clause::fanuc_length_measurement_number_zero, "PS0081", "G37 while the H number is 0");
+    raise(recorder_, Clause::fanuc_length_measurement_number_zero, AlarmCause::measurement_without_number);
   const bool one_axis = std::popcount(command.axes) == 1 && spec::is_linear_axis(axes_.letter(axis(command)));
   // fanuc.length-measurement.axis: G37 needs exactly one axis word, of a linear axis, and G90 in force: none, two or
   // more, a rotary axis, and G91 raise PS0083. That U V W count like the fourth axis of the manual is our definition.
   if (!one_axis || command.incremental)
-    raise(recorder_, Clause::fanuc_length_measurement_axis, "PS0083",
-          "G37 needs G90 and exactly one axis, a linear one");
+    raise(recorder_, Clause::fanuc_length_measurement_axis, AlarmCause::measurement_axis);
   // fanuc.length-measurement.with-length-code: G43, G44 or G49 in the block with G37 raises MEASUREMENT_FORMAT, where
   // the block has none of the three faults before.
   if (sets_length_offset(codes.length))
-    raise(recorder_, Clause::fanuc_length_measurement_with_length_code, "MEASUREMENT_FORMAT",
-          "G43, G44 or G49 in the block with G37");
+    raise(recorder_, Clause::fanuc_length_measurement_with_length_code, AlarmCause::measurement_format);
   // fanuc.length-measurement.in-cutter-compensation: G37 while cutter compensation B or C is on (fanuc.cutter.on)
   // before the block or after it raises PS0036, as the other code that moves up to a signal does.
   if (cutter)
-    raise(recorder_, Clause::fanuc_length_measurement_in_cutter_compensation, "PS0036",
-          "G37 while cutter compensation is on");
+    raise(recorder_, Clause::fanuc_length_measurement_in_cutter_compensation,
+          AlarmCause::measurement_in_cutter_compensation);
   const bool ordered = deceleration_ > half_zone_ && half_zone_ >= 0 && (!feed_ || *feed_ > 0);
   // fanuc.length-measurement.parameters-in-order: 6251 > 6254 >= 0 must hold, and 6241 must be above 0 where the setup
   // gives it: otherwise G37 raises MEASUREMENT_PARAMETERS. Setups without G37 are free to hold other values.
   if (recorder_.decide(Clause::fanuc_length_measurement_parameters_in_order, !ordered))
-    throw Alarm("MEASUREMENT_PARAMETERS", "6241, 6251 or 6254 gives no zones for G37");
+    throw Alarm(AlarmCause::measurement_parameters);
 }
 
 // fanuc.length-measurement.feed: 6241 is the measuring feed, in setup units per minute: the second move carries it, and

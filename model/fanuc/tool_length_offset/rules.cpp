@@ -74,15 +74,13 @@ AxisMask LengthRules::named_axes(const LengthCommand& command, const LengthVecto
     if (before.axis.at(i) != 0) offset = with(offset, i);
   }
   // fanuc.length-offset.type-c-no-axis: G43 or G44 of type C in a block that names no axis raises PS0027.
-  if (linear == 0)
-    raise(recorder_, Clause::fanuc_length_offset_type_c_no_axis, "PS0027", "tool length offset type C without an axis");
+  if (linear == 0) raise(recorder_, Clause::fanuc_length_offset_type_c_no_axis, AlarmCause::length_offset_without_axis);
   const bool several = std::popcount(linear) > 1;
   const bool another = without(offset, linear) != 0;
   if (several || another) {
     // fanuc.length-offset.tal: Type C on a second axis (another axis still has an offset, or the block names two)
     // raises PS0027 with TAL = 0, nothing changed; with TAL = 1 it is allowed.
-    if (!recorder_.decide(Clause::fanuc_length_offset_tal, tal_))
-      throw Alarm("PS0027", "tool length offset type C on a second axis");
+    if (!recorder_.decide(Clause::fanuc_length_offset_tal, tal_)) throw Alarm(AlarmCause::length_offset_second_axis);
     // fanuc.length-offset.type-c-several-axes: Type C with TAL = 1 in a block that names several axes gives the offset
     // to all of them; together they are the axes offset last.
     if (several) recorder_.reach(Clause::fanuc_length_offset_type_c_several_axes);
@@ -119,7 +117,7 @@ std::optional<std::uint32_t> LengthRules::number(const LengthCommand& command, b
 void LengthRules::cancel(const LengthVector& before) const {
   const auto offset_axes = std::ranges::count_if(before.axis, [](const Rational& offset) { return offset != 0; });
   if (recorder_.decide(Clause::fanuc_length_offset_cancel_three_axes, offset_axes >= 3))
-    throw Alarm("PS0015", "G49 with three or more axes offset");
+    throw Alarm(AlarmCause::length_offset_axes);
   recorder_.reach(Clause::fanuc_length_offset_cancel);
 }
 

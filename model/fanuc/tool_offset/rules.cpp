@@ -76,8 +76,7 @@ LengthenedArc ToolOffsetRules::arc(const Command& command, const Numbers& number
   // of the plane exactly one is not zero, its value is the component of the end on its axis, and the other component
   // has the same magnitude. Any other arc, R and full circles included, raises G45_ARC, after the alarms of the arc
   // itself (PS0023).
-  if (!recorder_.decide(Clause::fanuc_tool_offset_arc_form, allowed))
-    throw Alarm("G45_ARC", "G45 to G48 with an arc that is no quarter or three-quarter circle by I J K");
+  if (!recorder_.decide(Clause::fanuc_tool_offset_arc_form, allowed)) throw Alarm(AlarmCause::tool_offset_arc);
 
   recorder_.reach(Clause::fanuc_tool_offset_arc);
   const Rational radius = magnitude(radius_word);
@@ -85,7 +84,7 @@ LengthenedArc ToolOffsetRules::arc(const Command& command, const Numbers& number
   // whose ends lie in its centre, without a sweep.
   const Sign side =
       recorder_.decide(Clause::fanuc_tool_offset_arc_radius, Real(radius + by), Real(radius + magnitude(by)));
-  if (side == Sign::negative) throw Alarm("PS0038", "G45 to G48 make the radius of the arc smaller than zero");
+  if (side == Sign::negative) throw Alarm(AlarmCause::arc_ends_in_center);
   return {along_first ? in_plane.first : in_plane.second, radius_word < 0 ? Rational(-by) : by, side == Sign::zero};
 }
 

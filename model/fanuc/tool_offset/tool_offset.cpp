@@ -79,15 +79,14 @@ void ToolOffset::apply(const Command& command, const Interpreter& interpreter, c
     // cancelled: G43 or G44 in force after the codes of the block raises G45_LENGTH_OFFSET, with or without an axis
     // word.
     if (by_length_number_ && length.active)
-      raise(recorder_, Clause::fanuc_tool_offset_number_by_h, "G45_LENGTH_OFFSET",
-            "G45 to G48 by H number while G43 or G44 is in force");
+      raise(recorder_, Clause::fanuc_tool_offset_number_by_h, AlarmCause::tool_offset_length);
     if (command.axes == 0) {
       // fanuc.tool-offset.without-axis-word: G45 to G48 in a block without an axis word do nothing but store the
       // number, unless I J K make it a full circle (G45_ARC).
       recorder_.reach(Clause::fanuc_tool_offset_without_axis_word);
       if (!legs.empty() && legs.front().arc) {
         recorder_.decide(Clause::fanuc_tool_offset_arc_form, false);
-        throw Alarm("G45_ARC", "G45 to G48 with a full circle");
+        throw Alarm(AlarmCause::tool_offset_arc);
       }
     } else {
       recorder_.reach(Clause::fanuc_tool_offset_travel);

@@ -119,7 +119,7 @@ void PostureRules::require_reach_inside(const GreatCircle& arc, const AxisPassed
     const Real nearest = cosine_at_foot(arc, work_axis);
     const Real greatest = sign * heights.mean + sqrt(heights.swing2);
     if (recorder_.decide(Clause::fanuc_tool_posture_reach_inside, greatest - nearest, 2) == Sign::negative)
-      throw Alarm("PS5459", "a tool direction inside the block that the rotary axes cannot reach");
+      throw Alarm(AlarmCause::unreachable);
   }
 }
 
@@ -194,8 +194,7 @@ Pose PostureRules::changed(const Pose& start, const Pose& end, const Angle& sing
 // fanuc.tool-posture.refused: 19696 bit 3, NPC: where a block is near a singular posture and its end is not changed, by
 // the veto or by the range, 1 raises PS5421, 0 runs it as it is.
 void PostureRules::keep_end() const {
-  if (recorder_.decide(Clause::fanuc_tool_posture_refused, refuses_))
-    throw Alarm("PS5421", "the end posture near a singular one cannot be changed");
+  if (recorder_.decide(Clause::fanuc_tool_posture_refused, refuses_)) throw Alarm(AlarmCause::singular_posture);
 }
 
 }  // namespace toolcomp::model

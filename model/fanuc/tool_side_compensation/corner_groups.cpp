@@ -35,16 +35,13 @@ SpaceGroup ToolSideCompensation::group_before(const Held& held, const Step& now,
   auto group = rules_.group({former.plane, former.end, start}, given);
   // fanuc.cutter-c.no-intersection: An inner corner with an arc, R' >= 0, whose offset paths do not meet raises PS0033.
   // It names A: neither A nor a corner move of A is given, the blocks before are given as computed with A present.
-  if (!group)
-    ahead_.raise_held(Clause::fanuc_cutter_c_no_intersection, "PS0033",
-                      "the offset paths of an inner corner do not meet");
+  if (!group) ahead_.raise_held(Clause::fanuc_cutter_c_no_intersection, AlarmCause::no_intersection);
   const bool in_mode = !given.starts && !given.cancels && !given.side_changes && !given.repeated;
   // fanuc.tool-side.plane-change-alarm: Where all three hold PS0041 is raised; OVERCUT_PLANE_CHANGE is our name for
   // this cause of it. The alarm list of this control has P/S0041, the text PS0272, a number of a sister control.
   if (in_mode && former.end.offset != 0 && given.treatment == 0 &&
       plane_change_.interferes({former.path.travel, former.plane.tool()}, {next.travel, now.rest.tool}))
-    ahead_.raise_held(Clause::fanuc_tool_side_plane_change_alarm, "PS0041",
-                      "OVERCUT_PLANE_CHANGE: the tool turns and the path goes back, it would cut too much");
+    ahead_.raise_held(Clause::fanuc_tool_side_plane_change_alarm, AlarmCause::interference);
   return rules_.in_plane(std::move(*group));
 }
 

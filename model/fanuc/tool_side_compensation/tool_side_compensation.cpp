@@ -15,8 +15,6 @@ bool is_zero_vector(const Vector& v) {
   return zero(v.x) && zero(v.y) && zero(v.z);
 }
 
-constexpr const char* kTypeC = "start-up or cancel of type C: words or a next block that do not fit";
-
 }  // namespace
 
 // fanuc.tool-side.one-block-without-movement: With one block between A and B that does not move in the plane at the end
@@ -41,8 +39,7 @@ void ToolSideCompensation::refuse_rotary_word(const Command& command) const {
   // fanuc.tool-side.rotary-word: A rotary axis word in a block under G43.5 raises PS5460 where tool side compensation
   // is on before or after the block; elsewhere PS5421 (fanuc.tool-center-point.rotary-word).
   if (on() || on_after(command))
-    raise(recorder(), Clause::fanuc_tool_side_rotary_word, "PS5460",
-          "a rotary axis word while tool side compensation is on under G43.5");
+    raise(recorder(), Clause::fanuc_tool_side_rotary_word, AlarmCause::rotary_word_in_compensation);
 }
 
 std::shared_ptr<StageWords> ToolSideCompensation::read(const StageCommand& now) {
@@ -56,19 +53,15 @@ std::shared_ptr<StageWords> ToolSideCompensation::read(const StageCommand& now) 
 void ToolSideCompensation::check(const ToolSideBlock& words) const {
   // fanuc.tool-side.code-for-the-mode: Under G43.5, where I J K give the tool direction, the codes are G41.6 and G42.6,
   // else G41.2 and G42.2; they mean the same (a program of the manual shows G42.6).
-  if (words.wrong_mode)
-    raise(recorder(), Clause::fanuc_tool_side_code_for_the_mode, "TOOL_SIDE_MODE",
-          "G41.2 or G42.2 under G43.5, or G41.6 or G42.6 without it");
+  if (words.wrong_mode) raise(recorder(), Clause::fanuc_tool_side_code_for_the_mode, AlarmCause::side_mode);
   // fanuc.tool-side.plane-selected: G17, G18 or G19 that changes the plane raises PS0037 while tool side compensation
   // is on before the block, also in the block that cancels it.
-  if (on() && words.plane_changed)
-    raise(recorder(), Clause::fanuc_tool_side_plane_selected, "PS0037",
-          "the plane changes while tool side compensation is on");
+  if (on() && words.plane_changed) raise(recorder(), Clause::fanuc_tool_side_plane_selected, AlarmCause::plane_change);
   forbid(words);
   // fanuc.tool-side.q-format: Q of another value than 1, 2 or 3 in a block after which tool side compensation is on
   // raises Q_FORMAT, a name of ours, whatever else the block does. In other blocks Q is not looked at.
   if (words.wanted() && words.treatment == 0)
-    raise(recorder(), Clause::fanuc_tool_side_q_format, "Q_FORMAT", "a Q other than 1, 2 or 3");
+    raise(recorder(), Clause::fanuc_tool_side_q_format, AlarmCause::treatment);
   const bool starts = words.wanted() && !ahead_.in_mode() && ahead_.held().empty();
   const bool cancels = !words.wanted() && ahead_.in_mode();
   check_type_c(words, starts, cancels);
@@ -77,8 +70,7 @@ void ToolSideCompensation::check(const ToolSideBlock& words) const {
   // I, J or K in the block. In tool side compensation I J K count also where they are a tool direction: the manual
   // speaks of the mode.
   if (words.arc_words && (starts || cancels))
-    raise(recorder(), Clause::fanuc_cutter_c_start_or_cancel_in_arc, "PS0034",
-          "tool side compensation started or cancelled in an arc");
+    raise(recorder(), Clause::fanuc_cutter_c_start_or_cancel_in_arc, AlarmCause::arc_at_start_or_cancel);
 }
 
 void ToolSideCompensation::forbid(const ToolSideBlock& words) const {
@@ -89,8 +81,7 @@ void ToolSideCompensation::forbid(const ToolSideBlock& words) const {
   // G21, G96, G97, G160, G05 but for P10000, and an M, S or T word together with an axis word (I J K under G43.5
   // included) or in an arc, in a block after which tool side compensation is on.
   if (around || after || (on() && words.other_compensation))
-    raise(recorder(), Clause::fanuc_tool_side_forbidden, "FORBIDDEN_IN_3D_COMPENSATION",
-          "a command that is not allowed while tool side compensation is on");
+    raise(recorder(), Clause::fanuc_tool_side_forbidden, AlarmCause::forbidden_in_compensation);
 }
 
 void ToolSideCompensation::check_type_c(const ToolSideBlock& words, bool starts, bool cancels) const {
@@ -101,7 +92,7 @@ void ToolSideCompensation::check_type_c(const ToolSideBlock& words, bool starts,
   // of VT before that block (its own end does not matter), cancels, raises an alarm of its own (DIR_CHANGE_AT_STARTUP
   // and PS0038 too), leaves the run undecided or is not there.
   if (words.moves || words.arc_mode || (starts && words.stops_look_ahead))
-    raise(recorder(), Clause::fanuc_tool_side_type_c_format, "TYPE_C_FORMAT", kTypeC);
+    raise(recorder(), Clause::fanuc_tool_side_type_c_format, AlarmCause::type_c_format);
 }
 
 void ToolSideCompensation::take(const Step& step) {
@@ -176,7 +167,7 @@ void ToolSideCompensation::take_in_mode(Step& now, Movement& movement) {
     // its start or its end raises PS0038, both alike: an alarm of a command, behind those that the words alone raise
     // (PS0034 of a start-up in an arc among them) and those of the length offset.
     if (leg.arc && !leg.arc->sweep)
-      raise(recorder(), Clause::fanuc_cutter_c_arc_ends_in_center, "PS0038", "an arc that ends in its centre");
+      raise(recorder(), Clause::fanuc_cutter_c_arc_ends_in_center, AlarmCause::arc_ends_in_center);
     offset = ahead_.next_offset(now, !movement.starts.empty() && movement.starts.front());
     look_at_movement(now, movement, offset);
   }
@@ -261,7 +252,7 @@ void ToolSideCompensation::hold(Step& now, Held::Kind kind, const CutterOffset& 
 }
 
 void ToolSideCompensation::end_standing(Clause /*why*/) {
-  ahead_.raise_held(Clause::fanuc_tool_side_type_c_format, "TYPE_C_FORMAT", kTypeC);
+  ahead_.raise_held(Clause::fanuc_tool_side_type_c_format, AlarmCause::type_c_format);
 }
 
 void ToolSideCompensation::released(const Held& held) { corner_plane_ = side_path_of(held).plane; }

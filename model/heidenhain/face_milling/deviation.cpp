@@ -22,15 +22,14 @@ Deviation deviation_at(const Deviations& table, const ContactGeometry& contact, 
   const Real scale = 2 * contact.lengths;
   const SupportPoint& first = table.front();
   const SupportPoint& last = table.back();
-  constexpr const char* kMessage = "the contact angle is outside the table of deviations";
   // heidenhain.tool.deviation-below: A contact angle below the first support point b raises E_3DTC_RANGE; the support
   // point itself is inside.
   const Sign below = recorder.decide(Clause::heidenhain_tool_deviation_below, beyond(first.cosine, contact), scale);
-  if (below == Sign::negative) throw Alarm("E_3DTC_RANGE", kMessage);
+  if (below == Sign::negative) throw Alarm(AlarmCause::deviation_range);
   // heidenhain.tool.deviation-above: A contact angle above the last support point b raises E_3DTC_RANGE; the support
   // point itself is inside.
   const Sign above = recorder.decide(Clause::heidenhain_tool_deviation_above, -beyond(last.cosine, contact), scale);
-  if (above == Sign::negative) throw Alarm("E_3DTC_RANGE", kMessage);
+  if (above == Sign::negative) throw Alarm(AlarmCause::deviation_range);
 
   const Real angle = contact.angle();
   if (below == Sign::zero) return at(first, angle);

@@ -23,7 +23,7 @@ FaceContact FaceMilling::check(const Motion& motion) const {
   // E_3DTC_SHAPE.
   if (by_table && !recorder_.decide(Clause::heidenhain_tool_deviation_shape, shape == Sign::zero)) {
     recorder_.list(Clause::heidenhain_tool_deviation_shape);
-    throw Alarm("E_3DTC_SHAPE", "a table of deviations with a tool that is no ball-nose cutter");
+    throw Alarm(AlarmCause::deviation_shape);
   }
   checks_.radius(tool);
   if (by_table) {
@@ -42,13 +42,13 @@ FaceContact FaceMilling::check(const Motion& motion) const {
   // value of a table of deviations needs no M107: with one, only the deltas of TOOL CALL and of the compensation table
   // count here.
   if (recorder_.decide(Clause::heidenhain_tool_oversize_corner, oversize, 1) == Sign::positive)
-    throw Alarm("E_OVERSIZE_DR2", "an oversize corner radius without M107");
+    throw Alarm(AlarmCause::oversize_corner);
   // heidenhain.tool.corner-beyond-radius: In a block with a normal an effective corner radius beyond the effective
   // radius raises E_R2_GT_R unless M107 is on; not asked with a table of deviations. This is why DR and DR2 of a ball
   // are entered together.
   if (!by_table && recorder_.decide(Clause::heidenhain_tool_corner_beyond_radius,
                                     tool.r + tool.dr - (tool.r2 + tool.dr2), 1) == Sign::negative)
-    throw Alarm("E_R2_GT_R", "the effective corner radius is beyond the effective radius");
+    throw Alarm(AlarmCause::corner_beyond_radius);
   return result;
 }
 

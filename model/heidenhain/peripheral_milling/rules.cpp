@@ -48,7 +48,7 @@ LateralDirection PeripheralRules::direction(const Direction& tool, const Vector&
     // first compensated block, E_NO_DIRECTION names the block whose end point is wanted.
     if (!recorder_.decide(Clause::heidenhain_peripheral_former_direction, former.has_value())) {
       recorder_.list(Clause::heidenhain_peripheral_former_direction);
-      throw Alarm("E_NO_DIRECTION", "no direction of compensation: the tool is along the movement, or nothing moves");
+      throw Alarm(AlarmCause::no_direction);
     }
     return *former;
   }
@@ -103,7 +103,7 @@ Vector PeripheralRules::mitre(const LateralDirection& a, const LateralDirection&
   Real sum = 1 + cosine;
   if (product.sign() == Sign::negative) sum = proven_squared_norm(cross(a.vector, b.vector)) / (norms2 * (1 - cosine));
   if (recorder_.decide(Clause::heidenhain_peripheral_reversal, sum, 2) == Sign::zero)
-    throw Alarm("E_REVERSAL", "the directions of compensation before and behind the end point are opposite");
+    throw Alarm(AlarmCause::opposite_directions);
   if (sum.sign() == Sign::zero) throw NotFinite();  // only a forced outcome comes here
   recorder_.reach(Clause::heidenhain_peripheral_mitre);
   return (a.unit + b.unit) / sum;

@@ -42,7 +42,8 @@ std::optional<Motion> Interpreter::read(const Block& block) {
   // heidenhain.program.machine-coordinates-under-tcpm: M128 must be off before M91 and M92: under TCPM a block with one
   // of them raises E_TCPM_M91. M128 in the same block is on already, M129 in the same block not yet off.
   if (functions.machine_coordinates && direction_.tcpm())
-    raise(recorder_, Clause::heidenhain_program_machine_coordinates_under_tcpm, "E_TCPM_M91", "M91 or M92 under TCPM");
+    raise(recorder_, Clause::heidenhain_program_machine_coordinates_under_tcpm,
+          AlarmCause::machine_coordinates_under_tcpm);
   std::optional<Motion> motion = execute(block, functions);
   act_at_end(functions);
   ends_ = functions.ends_program || block.statement == Statement::end_program;

@@ -10,54 +10,54 @@ namespace toolcomp::model::klartext {
 namespace {
 
 struct Row {
-  std::string_view number;
+  AlarmCause cause;
   Clause clause;
 };
 constexpr auto kRows = std::to_array<Row>({
     // heidenhain.program.too-many-functions: More than four M functions in a block raise E_TOO_MANY_M.
-    {"E_TOO_MANY_M", Clause::heidenhain_program_too_many_functions},
+    {AlarmCause::too_many_functions, Clause::heidenhain_program_too_many_functions},
     // heidenhain.program.vector-order: In LN the position X, Y, Z comes first, then NX, NY, NZ, then TX, TY, TZ.
     // Another order raises E_LN_ORDER; that it holds inside each of them, and that a word given twice breaks it, is our
     // reading.
-    {"E_LN_ORDER", Clause::heidenhain_program_vector_order},
+    {AlarmCause::vector_order, Clause::heidenhain_program_vector_order},
     // heidenhain.program.vector-block-coordinates: LN always gives all three coordinates, even unchanged ones; one
     // missing raises E_LN_COORD.
-    {"E_LN_COORD", Clause::heidenhain_program_vector_block_coordinates},
+    {AlarmCause::vector_coordinates, Clause::heidenhain_program_vector_block_coordinates},
     // heidenhain.program.vector-incomplete: A surface normal has all three components, even unchanged ones; one missing
     // raises E_VEC_INCOMPLETE. That the tool vector is given whole or not at all is our reading.
-    {"E_VEC_INCOMPLETE", Clause::heidenhain_program_vector_incomplete},
+    {AlarmCause::vector_incomplete, Clause::heidenhain_program_vector_incomplete},
     // heidenhain.program.vector-range: A component beyond 9.99999999 raises E_VEC_RANGE.
-    {"E_VEC_RANGE", Clause::heidenhain_program_vector_range},
+    {AlarmCause::vector_range, Clause::heidenhain_program_vector_range},
     // heidenhain.program.vector-zero: A vector whose components are all 0 has no direction and raises E_VEC_ZERO, a
     // tool vector that would be ignored too.
-    {"E_VEC_ZERO", Clause::heidenhain_program_vector_zero},
+    {AlarmCause::vector_zero, Clause::heidenhain_program_vector_zero},
     // heidenhain.program.not-supported: What a control may well run and this project does not follow raises
     // E_UNSUPPORTED when it is reached, and its message names it.
-    {"E_UNSUPPORTED", Clause::heidenhain_program_not_supported},
+    {AlarmCause::not_supported, Clause::heidenhain_program_not_supported},
     // heidenhain.program.label-missing: CALL LBL of a label that its program does not have raises E_LABEL_MISSING.
-    {"E_LABEL_MISSING", Clause::heidenhain_program_label_missing},
+    {AlarmCause::label_missing, Clause::heidenhain_program_label_missing},
     // heidenhain.program.label-twice: CALL LBL of a label that stands in its program more than once raises
     // E_LABEL_TWICE.
-    {"E_LABEL_TWICE", Clause::heidenhain_program_label_twice},
+    {AlarmCause::label_twice, Clause::heidenhain_program_label_twice},
     // heidenhain.program.label-recursion: A subprogram that calls itself, directly or through others, raises
     // E_LABEL_RECURSION.
-    {"E_LABEL_RECURSION", Clause::heidenhain_program_label_recursion},
+    {AlarmCause::label_recursion, Clause::heidenhain_program_label_recursion},
     // heidenhain.program.program-recursion: A program that calls itself, directly or through others, raises
     // E_PROGRAM_RECURSION.
-    {"E_PROGRAM_RECURSION", Clause::heidenhain_program_program_recursion},
+    {AlarmCause::program_recursion, Clause::heidenhain_program_program_recursion},
     // heidenhain.program.nesting: Subprograms may stand 19 deep in each other, and so may programs; one more raises
     // E_NESTING.
-    {"E_NESTING", Clause::heidenhain_program_nesting},
+    {AlarmCause::nesting, Clause::heidenhain_program_nesting},
     // heidenhain.program.program-missing: CALL PGM of a program that is not there raises E_NO_PROGRAM.
-    {"E_NO_PROGRAM", Clause::heidenhain_program_program_missing},
+    {AlarmCause::called_program_missing, Clause::heidenhain_program_program_missing},
     // heidenhain.program.too-many-blocks: Where calls and repeats add more than a million blocks to those of the text,
     // the next one raises E_TOO_LONG.
-    {"E_TOO_LONG", Clause::heidenhain_program_too_many_blocks},
+    {AlarmCause::too_many_blocks, Clause::heidenhain_program_too_many_blocks},
 });
 
-Clause clause_of(const spec::Name& number) {
+Clause clause_of(AlarmCause cause) {
   for (const Row& row : kRows)
-    if (row.number == number.view()) return row.clause;
+    if (row.cause == cause) return row.clause;
   // heidenhain.program.unreadable-block: A block that is no Klartext raises E_SYNTAX when it is reached: an unknown
   // word or statement, a word out of place, a parameter among the components of a vector, an axis the setup does not
   // have, BEGIN PGM behind the first block.
@@ -67,7 +67,7 @@ Clause clause_of(const spec::Name& number) {
 }  // namespace
 
 void raise_read_alarm(Recorder& recorder, const spec::klartext::ReadAlarm& alarm) {
-  raise(recorder, clause_of(alarm.number), alarm.number, alarm.message);
+  raise(recorder, clause_of(alarm.cause), alarm.cause, alarm.message);
 }
 
 }  // namespace toolcomp::model::klartext

@@ -82,9 +82,11 @@ void report_out_of_scope(const Motion& motion, EventSink& sink) {
   sink.on(event);
 }
 
-void report_alarm(const Alarm& alarm, const Place& current, const spec::ClauseList& clauses, EventSink& sink) {
+void report_alarm(const Alarm& alarm, const spec::AlarmNumbers& numbers, const Place& current,
+                  const spec::ClauseList& clauses, EventSink& sink) {
   Event event = event_of(spec::EventKind::alarm, alarm.line != 0 ? Place{alarm.line, alarm.n} : current);
-  event.number = alarm.number;
+  event.alarm = alarm.cause;
+  event.number = numbers(alarm.cause);
   event.message = alarm.message;
   event.clauses = clauses;
   event.unmade = alarm.unmade;

@@ -27,7 +27,8 @@ void report_move(const Motion& motion, const Compensated& compensated, const spe
 std::shared_ptr<const Event> unmade(const Motion& motion);
 // The warnings of a motion whose compensation is not modelled, and the event that says so.
 void report_out_of_scope(const Motion& motion, EventSink& sink);
-void report_alarm(const Alarm& alarm, const Place& current, const spec::ClauseList& clauses, EventSink& sink);
+void report_alarm(const Alarm& alarm, const spec::AlarmNumbers& numbers, const Place& current,
+                  const spec::ClauseList& clauses, EventSink& sink);
 void report_undecided(Recorder& recorder, const Place& current, EventSink& sink);
 
 }  // namespace toolcomp::model::klartext

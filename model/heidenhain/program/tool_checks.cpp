@@ -7,41 +7,38 @@ namespace toolcomp::model::klartext {
 
 void ToolChecks::block(const Motion& motion) const {
   // heidenhain.tool.none: 3D compensation before any tool call raises E_NO_TOOL. TOOL CALL 0 calls a tool.
-  if (recorder_.decide(Clause::heidenhain_tool_none, !motion.tool->called))
-    throw Alarm("E_NO_TOOL", "3D compensation before any TOOL CALL");
+  if (recorder_.decide(Clause::heidenhain_tool_none, !motion.tool->called)) throw Alarm(AlarmCause::no_tool);
   // heidenhain.face.radius-compensation: A block with a normal while RL or RR is in force, or in the block itself,
   // raises E_RC_WITH_N: the direction would be defined twice.
   if (motion.normal && motion.side != Side::none)
-    raise(recorder_, Clause::heidenhain_face_radius_compensation, "E_RC_WITH_N",
-          "a surface normal while RL or RR is in force");
+    raise(recorder_, Clause::heidenhain_face_radius_compensation, AlarmCause::normal_with_radius_compensation);
 }
 
 Sign ToolChecks::table(const EffectiveTool& tool) const {
-  constexpr const char* kMessage = "the tool table describes no tool";
   // heidenhain.tool.table-radius: A negative radius R in the tool table raises E_TOOL.
   if (recorder_.decide(Clause::heidenhain_tool_table_radius, tool.r, 1) == Sign::negative)
-    throw Alarm("E_TOOL", kMessage);
+    throw Alarm(AlarmCause::tool_shape);
   // heidenhain.tool.table-corner-radius: A negative corner radius R2 in the tool table raises E_TOOL.
   if (recorder_.decide(Clause::heidenhain_tool_table_corner_radius, tool.r2, 1) == Sign::negative)
-    throw Alarm("E_TOOL", kMessage);
+    throw Alarm(AlarmCause::tool_shape);
   // heidenhain.tool.table-shape: The tool table describes an end mill (R2 = 0), a toroid cutter (R2 > 0) or a ball-nose
   // cutter (R2 = R). A corner radius beyond the radius is none of them: E_TOOL.
   const Sign shape = recorder_.decide(Clause::heidenhain_tool_table_shape, tool.r - tool.r2, 1);
-  if (shape == Sign::negative) throw Alarm("E_TOOL", kMessage);
+  if (shape == Sign::negative) throw Alarm(AlarmCause::tool_shape);
   return shape;
 }
 
 // heidenhain.tool.effective-radius: An effective radius below 0 raises E_TOOL_EFF, also under M107.
 void ToolChecks::radius(const EffectiveTool& tool) const {
   if (recorder_.decide(Clause::heidenhain_tool_effective_radius, tool.r + tool.dr, 1) == Sign::negative)
-    throw Alarm("E_TOOL_EFF", "the effective radius is negative");
+    throw Alarm(AlarmCause::effective_radius);
 }
 
 // heidenhain.tool.effective-corner-radius: An effective corner radius below 0 raises E_R2_NEG, also under M107: no such
 // geometry exists.
 void ToolChecks::corner(const Real& quantity, const Real& scale) const {
   if (recorder_.decide(Clause::heidenhain_tool_effective_corner_radius, quantity, scale) == Sign::negative)
-    throw Alarm("E_R2_NEG", "the effective corner radius is negative");
+    throw Alarm(AlarmCause::corner_radius_negative);
 }
 
 // heidenhain.tool.oversize-permitted: Under M107 positive deltas and corner radii beyond the radius raise no alarm. It
@@ -54,7 +51,7 @@ bool ToolChecks::oversize_allowed(const Motion& motion) const {
 // E_OVERSIZE_DR. A positive dL never does: the manual's conditions name R, R2, DR and DR2 alone.
 void ToolChecks::oversize(const EffectiveTool& tool) const {
   if (recorder_.decide(Clause::heidenhain_tool_oversize_radius, tool.dr, 1) == Sign::positive)
-    throw Alarm("E_OVERSIZE_DR", "an oversize radius without M107");
+    throw Alarm(AlarmCause::oversize_radius);
 }
 
 // heidenhain.tool.order-of-checks: The checks run in every LN block and in every L block with an axis word under RL or

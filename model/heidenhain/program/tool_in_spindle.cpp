@@ -23,9 +23,7 @@ bool ToolInSpindle::call(const Block& block, bool tcpm) {
   if (calls) {
     // heidenhain.program.tool-call-under-tcpm: M128 must be off before a tool is called: under TCPM that raises
     // E_TCPM_TOOLCALL, also of a tool that is unknown.
-    if (tcpm)
-      raise(recorder_, Clause::heidenhain_program_tool_call_under_tcpm, "E_TCPM_TOOLCALL",
-            "TOOL CALL of a tool under TCPM");
+    if (tcpm) raise(recorder_, Clause::heidenhain_program_tool_call_under_tcpm, AlarmCause::tool_call_under_tcpm);
     table_ = EffectiveTool();
     table_.called = true;
     of_table_ = of_call_ = Deltas();
@@ -34,8 +32,7 @@ bool ToolInSpindle::call(const Block& block, bool tcpm) {
       const spec::ToolRow* const row = find(block);
       // heidenhain.program.tool-unknown: TOOL CALL of a number or name without a row in the tool table, or by a string
       // parameter, raises E_NO_TOOL.
-      if (row == nullptr)
-        raise(recorder_, Clause::heidenhain_program_tool_unknown, "E_NO_TOOL", "the tool table has no such tool");
+      if (row == nullptr) raise(recorder_, Clause::heidenhain_program_tool_unknown, AlarmCause::no_tool);
       take_over(*row);
     }
     // heidenhain.program.correction-row-dropped: A call of a tool puts the row of the compensation table out of force.

@@ -81,7 +81,7 @@ Definition by_radius {num} {N : Numbers num} (clockwise : bool) (r : num) (start
   no_radius <- is_zero "fanuc.program.arc-radius-without-chord" r ;;
   too_small <- is_negative "fanuc.program.arc-radius" (integer 4 * r * r - square)%num ;;
   larger <- is_negative "fanuc.program.arc-larger" r ;;
-  _ <- alarm_if (no_chord || no_radius || too_small) "PS0023" ;;
+  _ <- alarm_if (no_chord || no_radius || too_small) "arc-radius-too-short" ;;
   let to_center := to_center_by_radius clockwise larger r chord in
   turn <- angle_between clockwise (sub2 (0%num, 0%num) to_center) (sub2 chord to_center) ;;
   Got (Circle (add2 start to_center) turn None).
@@ -91,5 +91,5 @@ Definition by_radius {num} {N : Numbers num} (clockwise : bool) (r : num) (start
 Definition by_center {num} {N : Numbers num} (refused_later clockwise : bool) (to_center start finish : pair num) :
     outcome (circle num) :=
   in_start <- is_zero "fanuc.program.arc-center-in-start" (dot2 to_center to_center) ;;
-  _ <- alarm_if (in_start && negb refused_later) "PS0023" ;;
+  _ <- alarm_if (in_start && negb refused_later) "arc-without-center" ;;
   around clockwise (add2 start to_center) start finish.

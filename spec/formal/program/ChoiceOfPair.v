@@ -196,7 +196,7 @@ Definition chosen {num} {N : Numbers num} (ranges now : _ * _) (pairs : list (ax
   left <- best_of (fun a b => greater (fst a) (fst b)) [] left ;;
   left <- best_of (fun a b => greater (snd a) (snd b)) [] left ;;
   match left with
-  | [] => Alarm "PS5459"
+  | [] => Alarm "unreachable"
   | best :: _ => Got best
   end.
 
@@ -232,7 +232,7 @@ Definition choose {num} {N : Numbers num} (s : setup num) (k : kinematics num) (
       match parallel with
       | Some opposite =>
           reached <- reaches_work_axis k opposite ;;
-          _ <- alarm_if (negb reached) "PS5459" ;;
+          _ <- alarm_if (negb reached) "unreachable" ;;
           tau <- singular_position k opposite ;;
           let work_range := match machine_of k with ToolRotation => first_range | _ => second_range end in
           kept <- nearest_in_range work_range (snd (sides_of k now)) ;;

@@ -184,8 +184,8 @@ Definition arc_in_workpiece_system {num} {N : Numbers num} (s : setup num) (p : 
       normal <- is_zero clause beside ;;
       Got (negb (at_start && at_end), normal))
     table_axes ;;
-  _ <- alarm_if (existsb (fun t => fst t && negb (snd t)) turned) "PS5421" ;;
-  alarm_if (existsb fst turned) "ARC_WITH_TABLE_TURNED".
+  _ <- alarm_if (existsb (fun t => fst t && negb (snd t)) turned) "table-turned-in-arc" ;;
+  alarm_if (existsb fst turned) "arc-with-table-turned".
 
 (** * A block *)
 

@@ -62,8 +62,8 @@ Definition chooses_posture {num} (s : setup num) (c : command num) : outcome boo
   | Some w =>
       if is_data_of_code c then Got (bit s "19604#0")
       else match whole w with
-           | Some p => if p =? 0 then Got false else if p =? 1 then Got true else Alarm "PS5421"
-           | None => Alarm "PS5421"
+           | Some p => if p =? 0 then Got false else if p =? 1 then Got true else Alarm "tip-control-word"
+           | None => Alarm "tip-control-word"
            end
   | None => Got (bit s "19604#0")
   end.
@@ -151,44 +151,44 @@ Definition control_alarms {num} {N : Numbers num} (s : setup num) (c : command n
   let refuses_length := given (type_before st) && length_code in
   (* fanuc.tool-center-point.forbidden *)
   _ <- alarm_if ((under || refuses_length) && (origins || is_forbidden codes))
-         "FORBIDDEN_UNDER_TOOL_DIRECTION" ;;
+         "forbidden-under-tool-direction" ;;
   (* fanuc.tool-center-point.exclusion: G43 or G44 under control, and the code while an axis has a length offset *)
   offset <- (if of_code then offset_axes (vector (length_of st)) else Got (no_axes s)) ;;
-  _ <- alarm_if (refuses_length || negb (empty offset)) "LENGTH_OFFSET_EXCLUSION" ;;
+  _ <- alarm_if (refuses_length || negb (empty offset)) "length-offset-exclusion" ;;
   (* fanuc.tool-center-point.without-kinematics, fanuc.tool-center-point.type-2-in-workpiece-system *)
-  _ <- alarm_if (match code with Some ByAxes => negb (given k) | _ => false end) "PS5459" ;;
-  _ <- alarm_if (by_vector code && given k && bit s "19696#5") "PS5459" ;;
+  _ <- alarm_if (match code with Some ByAxes => negb (given k) | _ => false end) "tip-control-parameters" ;;
+  _ <- alarm_if (by_vector code && given k && bit s "19696#5") "tip-control-parameters" ;;
   posture <- (if of_code then chooses_posture s c else Got false) ;;
   (* fanuc.tool-center-point.not-invertible, fanuc.tool-center-point.range-order *)
   no_inverse <- match k with
                 | Some k => if of_code && (by_vector code || posture) then not_invertible k else Got false
                 | None => Got false
                 end ;;
-  _ <- alarm_if (by_vector code && no_inverse) "PS5459" ;;
+  _ <- alarm_if (by_vector code && no_inverse) "tip-control-parameters" ;;
   in_order <- (if by_vector code && given k then limits_in_order s else Got true) ;;
-  _ <- alarm_if (negb in_order) "PS5459" ;;
+  _ <- alarm_if (negb in_order) "rotary-limits" ;;
   (* fanuc.tool-center-point.format *)
   let ends := given (type_before st) && match last_of lengths codes with Some l => l =? 490 | None => false end in
   _ <- alarm_if ((of_code && arc) || ((of_code || ends) && (edge_beside beside || side_beside beside)))
-         "TOOL_DIRECTION_FORMAT" ;;
+         "tool-direction-format" ;;
   (* fanuc.tool-center-point.compensation-in-workpiece-system *)
   let turns_table := match k with
                      | Some k => match machine_of k with ToolRotation => false | _ => true end
                      | None => false
                      end in
   _ <- alarm_if (under && negb (by_vector now) && bit s "19696#5" && turns_table && after_block beside)
-         "COMPENSATION_IN_WORKPIECE_SYSTEM" ;;
+         "compensation-in-workpiece-system" ;;
   (* fanuc.tool-center-point.rotary-word *)
   (* fanuc.tool-side.rotary-word *)
-  _ <- alarm_if (by_vector now && names s rotary c) (if side_beside beside then "PS5460" else "PS5421") ;;
+  _ <- alarm_if (by_vector now && names s rotary c) (if side_beside beside then "rotary-word-in-compensation" else "tool-direction") ;;
   (* fanuc.tool-center-point.direction-at-start, fanuc.tool-center-point.zero *)
   let direction := if by_vector now then direction_words s c else None in
-  _ <- alarm_if (of_code && given direction && turns_table) "PS5421" ;;
+  _ <- alarm_if (of_code && given direction && turns_table) "direction-at-start" ;;
   nothing <- match direction with
              | Some d => is_zero "fanuc.tool-center-point.zero" (dot3 d d)
              | None => Got false
              end ;;
-  _ <- alarm_if nothing "PS5421" ;;
+  _ <- alarm_if nothing "tool-direction" ;;
   (* fanuc.tool-center-point.arc-by-radius, fanuc.tool-center-point.arc-rotary-only *)
   let '(first, second) := plane_axes (in_plane (in_modes c)) in
   let in_plane := names s (fun letter => Letter.eqb letter first || Letter.eqb letter second) c in
@@ -197,7 +197,7 @@ Definition control_alarms {num} {N : Numbers num} (s : setup num) (c : command n
     negb (names s Letter.linear c) &&
     (if by_vector now then given direction
      else names s rotary c && negb (with_radius || existsb (fun letter => has letter (block_of c)) [Letter.I; Letter.J; Letter.K])) in
-  alarm_if (under && arc && ((by_vector now && in_plane && negb with_radius) || turns_alone)) "PS5421".
+  alarm_if (under && arc && ((by_vector now && in_plane && negb with_radius) || turns_alone)) "tip-control-arc".
 
 (** * Before the words of a block count *)
 

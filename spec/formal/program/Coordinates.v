@@ -53,7 +53,7 @@ Definition select_system {num} (codes : list Z) (b : block num) (c : coordinates
   | None => Got c
   | Some code =>
       if code =? 541
-      then match additional_number b with Some p => Got (with_system (Additional p)) | None => Alarm "PS0030" end
+      then match additional_number b with Some p => Got (with_system (Additional p)) | None => Alarm "workpiece-number" end
       else Got (with_system (Standard (code / 10 - 53)))
   end.
 
@@ -80,14 +80,14 @@ Definition with_origin {num} {N : Numbers num} (s : setup num) (incremental : bo
   let new old := map2 (fun x number =>
     match number with Some y => if incremental then (x + y)%num else y | None => x end) old numbers in
   match whole_word Letter.P b with
-  | None => Alarm "PS0031"
+  | None => Alarm "g10_workpiece"
   | Some p =>
       if l =? 2 then
-        _ <- alarm_if (6 <? p) "PS0031" ;;
+        _ <- alarm_if (6 <? p) "g10_workpiece" ;;
         Got (Coordinates (selected c) ((p, new (origin s c (Standard p))) :: standard_origins c)
                (additional_origins c) (shifted c) (local c))
       else
-        _ <- alarm_if ((p =? 0) || (48 <? p)) "PS0031" ;;
+        _ <- alarm_if ((p =? 0) || (48 <? p)) "g10_workpiece" ;;
         Got (Coordinates (selected c) (standard_origins c)
                ((p, new (origin s c (Additional p))) :: additional_origins c) (shifted c) (local c))
   end.

@@ -218,7 +218,7 @@ Definition mode_group {num vec} {N : Numbers num} {P : Plane num vec} (a b : leg
       match meeting with
       | MeetAt v => Got [v]
       | NoOffsetCircle => Got [perpendicular a]
-      | Apart => Alarm "PS0033"
+      | Apart => Alarm "no-intersection"
       end
   end.
 

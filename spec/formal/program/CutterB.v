@@ -31,11 +31,11 @@ Definition corner_arc_alarm {num} {N : Numbers num} (s : setup num) (c : command
   let outside := without (which (naming_words c)) (plane_axis_set s (in_plane (in_modes c))) in
   let made := given (hand_in_force (cutter st)) && match in_phase (cutter st) with Running => true | _ => false end in
   _ <- alarm_if (negb made || says_cancel c || says_hand c || gives_other_number s c (shared st) ||
-                 negb (empty outside)) "PS0035" ;;
+                 negb (empty outside)) "corner-arc" ;;
   system <- select_system (codes_said c) (block_of c) (coordinates_of st) ;;
   match corner_direction s c (renamed s (coordinates_of st) system (programmed st)) with
-  | None => Alarm "PS0035"
-  | Some d => nothing <- is_zero "fanuc.cutter-b.corner-arc-format" (square2 d) ;; alarm_if nothing "PS0035"
+  | None => Alarm "corner-arc"
+  | Some d => nothing <- is_zero "fanuc.cutter-b.corner-arc-format" (square2 d) ;; alarm_if nothing "corner-arc"
   end.
 
 (** * Alarms *)
@@ -44,13 +44,13 @@ Definition corner_arc_alarm {num} {N : Numbers num} (s : setup num) (c : command
     fanuc.cutter-b.arc-at-cancel: while the vector is not zero. *)
 Definition arc_alarm_b {num} {N : Numbers num} (s : setup num) (c : command num) (st : state num) : outcome unit :=
   let x := cutter st in
-  _ <- alarm_if (says_hand c) "PS0034" ;;
+  _ <- alarm_if (says_hand c) "arc-at-start-or-cancel" ;;
   match hand_behind c (hand_in_force x) with
   | Some _ =>
-      alarm_if (gives_other_number s c (shared st) || match in_phase x with Running => false | _ => true end) "PS0034"
+      alarm_if (gives_other_number s c (shared st) || match in_phase x with Running => false | _ => true end) "arc-at-start-or-cancel"
   | None =>
       nothing <- is_zero "fanuc.cutter-b.arc-at-cancel" (square2 (vector_behind x)) ;;
-      alarm_if (negb nothing) "PS0034"
+      alarm_if (negb nothing) "arc-at-start-or-cancel"
   end.
 
 (** By words and state, in the order of fanuc.cutter.order-of-alarms. *)
@@ -77,7 +77,7 @@ Definition arc_vector {num} {N : Numbers num} (s : setup num) (clockwise : bool)
     (rho : num) : outcome (pair num) :=
   let to_center := sub2 (center a) (plane_point s (arc_plane a) after) in
   nothing <- is_zero "fanuc.cutter-b.arc-ends-in-center" (square2 to_center) ;;
-  _ <- alarm_if nothing "PS0038" ;;
+  _ <- alarm_if nothing "arc-ends-in-center" ;;
   Got (perpendicular (arc_leg (Bow clockwise to_center) rho)).
 
 (** The vector behind the block in the mode, and whether a start-up has been made.

@@ -29,10 +29,10 @@ Definition mode_is_on (ph : phase) : bool :=
 Definition corner_alarm_c {num} {N : Numbers num} (s : setup num) (c : command num) (st : state num) : outcome unit :=
   let made := match in_phase (cutter st) with Running | Started => true | _ => false end in
   _ <- alarm_if (negb (cutter_on_after s c st) || negb made || says_cancel c || says_hand c ||
-                 negb (empty (which (naming_words c))) || gives_other_number s c (shared st)) "PS0035" ;;
+                 negb (empty (which (naming_words c))) || gives_other_number s c (shared st)) "corner-arc" ;;
   match plane_letters s c with
   | None => Got tt
-  | Some u => nothing <- is_zero "fanuc.cutter-c.corner-arc-alarm" (square2 u) ;; alarm_if nothing "PS0035"
+  | Some u => nothing <- is_zero "fanuc.cutter-c.corner-arc-alarm" (square2 u) ;; alarm_if nothing "corner-arc"
   end.
 
 (** fanuc.cutter-c.start-or-cancel-in-arc: PS0034. *)
@@ -41,7 +41,7 @@ Definition arc_alarm_c {num} (s : setup num) (c : command num) (st : state num) 
   let ph := in_phase (cutter st) in
   let starts := asked && match ph with Off => true | _ => false end in
   let cancels := negb asked && mode_is_on ph in
-  alarm_if (is_arc_block s c && (starts || cancels)) "PS0034".
+  alarm_if (is_arc_block s c && (starts || cancels)) "arc-at-start-or-cancel".
 
 Definition alarms_c {num} {N : Numbers num} (s : setup num) (c : command num) (st : state num) : outcome unit :=
   _ <- (if is_corner_arc c then corner_alarm_c s c st else Got tt) ;;
@@ -85,7 +85,7 @@ Definition center_alarm {num} {N : Numbers num} (s : setup num) (before after : 
       let p := arc_plane a in
       at_start <- is_zero clause (square2 (sub2 (center a) (plane_point s p before))) ;;
       at_end <- is_zero clause (square2 (sub2 (center a) (plane_point s p after))) ;;
-      alarm_if (at_start || at_end) "PS0038"
+      alarm_if (at_start || at_end) "arc-ends-in-center"
   end.
 
 (** P1 of a moving block. *)
@@ -153,7 +153,7 @@ Definition goes_away_step {num} {N : Numbers num} (s : setup num) (c : command n
               left <- on_left hand value ;;
               r <- magnitude value ;;
               _ <- alarm_if (match in_phase x with Started => negb (Bool.eqb left (was_left x)) | _ => false end)
-                     "DIR_CHANGE_AT_STARTUP" ;;
+                     "side-change-at-start" ;;
               let v := perpendicular (line_leg d (offset_of left r)) in
               Got (WayBlock, TakenAway, without_named s c v, r, left)
         end
@@ -176,7 +176,7 @@ Definition moving_step {num} {N : Numbers num} (s : setup num) (c : command num)
       left <- on_left hand value ;;
       r <- magnitude value ;;
       let changes := negb (Bool.eqb left (was_left x)) in
-      _ <- alarm_if (changes && match ph with Started | Pending _ => true | _ => false end) "DIR_CHANGE_AT_STARTUP" ;;
+      _ <- alarm_if (changes && match ph with Started | Pending _ => true | _ => false end) "side-change-at-start" ;;
       let v := perpendicular (end_leg s c before after moves (offset_of left r)) in
       Got (match ph with Off => (StartUpBlock, Started, v, r, left) | _ => (ModeBlock, Running, v, r, left) end)
   end.

@@ -118,15 +118,15 @@ Definition shared_alarms {num} (s : setup num) (c : command num) (st : state num
   let p := in_plane (in_modes c) in
   let on := cutter_on s (cutter st) (shared st) in
   let in_force := given (hand_behind c (hand_in_force (cutter st))) in
-  _ <- alarm_if (in_force && lacks_plane_axis s p) "PS0028" ;;
-  _ <- alarm_if (on && negb (same_plane p (in_plane (modes_of st)))) "PS0037" ;;
+  _ <- alarm_if (in_force && lacks_plane_axis s p) "plane-axis-missing" ;;
+  _ <- alarm_if (on && negb (same_plane p (in_plane (modes_of st)))) "plane-change" ;;
   let under_tool_direction := match last_of lengths (codes_said c) with
                               | Some code => among code [434; 435] | None => false end in
   _ <- alarm_if ((on && says c [412; 413; 416; 422; 426]) || ((on || in_force) && under_tool_direction))
-         "FORBIDDEN_IN_CUTTER_COMPENSATION" ;;
+         "forbidden-in-cutter-compensation" ;;
   let shifts := match acting c with
                 | Some Lengthen | Some Shorten | Some LengthenTwice | Some ShortenTwice => true | _ => false end in
-  alarm_if (shifts && (on || cutter_on_after s c st)) "PS0042".
+  alarm_if (shifts && (on || cutter_on_after s c st)) "tool-offset-in-cutter-compensation".
 
 (** fanuc.cutter.value-too-large: PS0029. *)
 Definition value_alarm {num} {N : Numbers num} (s : setup num) (c : command num) (st : state num) : outcome unit :=

@@ -77,14 +77,14 @@ Definition vector_at_end {num} {N : Numbers num} (s : setup num) (last : leading
 Definition vector_at_start {num} {N : Numbers num} (s : setup num) (b : planned num) (rest : list (planned num)) :
     outcome (leading num) :=
   match find (fun b => negb (is_no_block b)) rest with
-  | None => Alarm "PS5407"
+  | None => Alarm "leading-edge-command"
   | Some next =>
       moving <- moves_in_space s next ;;
-      _ <- alarm_if (negb moving) "PS5407" ;;
+      _ <- alarm_if (negb moving) "leading-edge-command" ;;
       r <- radius_at s b ;;
       let vt := tool_behind s b in
       made <- leading_vector_of s None r (travel_in_space s next) vt ;;
-      match made with Some v => Got v | None => Alarm "PS5408" end
+      match made with Some v => Got v | None => Alarm "leading-edge-start" end
   end.
 
 (** The one move of a block that starts or cancels.

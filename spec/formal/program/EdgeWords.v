@@ -63,10 +63,10 @@ Definition edge_alarms {num} {N : Numbers num} (s : setup num) (c : command num)
   let starts := is_start c in
   let axis_word := moving_word s c st in
   let cancels := leads before && negb on_behind in
-  _ <- alarm_if ((starts && (axis_word || stops_look_ahead (block_of c))) || (cancels && axis_word)) "PS5406" ;;
-  _ <- alarm_if (starts && in_arc_mode c) "PS5408" ;;
-  _ <- alarm_if (leads before && (starts || in_arc_mode c)) "PS5407" ;;
-  _ <- alarm_if (on_behind && forbidden_in_edge c axis_word) "FORBIDDEN_IN_3D_COMPENSATION" ;;
+  _ <- alarm_if ((starts && (axis_word || stops_look_ahead (block_of c))) || (cancels && axis_word)) "leading-edge-format" ;;
+  _ <- alarm_if (starts && in_arc_mode c) "leading-edge-start" ;;
+  _ <- alarm_if (leads before && (starts || in_arc_mode c)) "leading-edge-command" ;;
+  _ <- alarm_if (on_behind && forbidden_in_edge c axis_word) "forbidden-in-compensation" ;;
   if on_behind then
     _ <- applied s ByD (offsets_of st) (next_leading_number c before) ;; Got tt
   else Got tt.

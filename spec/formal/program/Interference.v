@@ -89,9 +89,9 @@ Definition single {A} (l : list A) : bool := match l with [_] => true | _ => fal
 Fixpoint next_pairs {num} {N : Numbers num} (tries : list (pair num)) (p : path num) (vs ws : list (pair num)) :
     outcome (list (pair num) * list (pair num)) :=
   match tries with
-  | [] => Alarm "PS0041"
+  | [] => Alarm "interference"
   | _ :: fewer =>
-      if single vs && single ws then Alarm "PS0041"
+      if single vs && single ws then Alarm "interference"
       else
         let vs := if single vs then vs else tl vs in
         let ws := if single ws then ws else tl ws in

@@ -73,7 +73,7 @@ Definition on_edge_of_reach {num} {N : Numbers num} (k : kinematics num) (rho c 
     if never : bool then Got false
     else
       inside <- decide clause x ;;
-      match inside with Lt => Alarm "PS5459" | Eq => Got true | Gt => Got false end in
+      match inside with Lt => Alarm "unreachable" | Eq => Got true | Gt => Got false end in
   near <- asked "fanuc.tool-center-point.reach-toward-the-axis" false (rho - c)%num ;;
   far <- asked "fanuc.tool-center-point.reach-away-from-the-axis" true (rho + c)%num ;;
   Got (near || far).

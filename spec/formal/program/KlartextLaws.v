@@ -79,7 +79,7 @@ Theorem klartext_alarm_is_last {num} {N : Numbers num} (s : klartext_setup num) 
 Proof. apply events_end_once, plans_stop_once. Qed.
 
 Example klartext_alarm_is_last_instance :
-  nothing_behind ends_run (map snd (run_klartext plain_control [KlartextBlock OtherStatement [] (Some "E_SYNTAX"); end_block])).
+  nothing_behind ends_run (map snd (run_klartext plain_control [KlartextBlock OtherStatement [] (Some "syntax"); end_block])).
 Proof. apply klartext_alarm_is_last. Qed.
 
 (** * Moves *)

@@ -25,7 +25,7 @@ Definition direction_or_last {num} {N : Numbers num} (left : bool) (tool movemen
   own <- own_direction left tool movement ;;
   match own, made_last with
   | Some c, _ | None, Some c => Got c
-  | None, None => Alarm "E_NO_DIRECTION"
+  | None, None => Alarm "no-direction"
   end.
 
 (** heidenhain.peripheral.mitre: the intersection of both offset lines, (c + c')/(1 + c.c').
@@ -33,7 +33,7 @@ Definition direction_or_last {num} {N : Numbers num} (left : bool) (tool movemen
 Definition mitre {num} {N : Numbers num} (c next : triple num) : outcome (triple num) :=
   let k := (1 + dot3 c next)%num in
   opposite <- is_zero "heidenhain.peripheral.reversal" k ;;
-  _ <- alarm_if opposite "E_REVERSAL" ;;
+  _ <- alarm_if opposite "opposite-directions" ;;
   Got (scale3 (1 / k)%num (add3 c next)).
 
 (** What a compensated block is beside its end point by. *)

@@ -29,7 +29,7 @@ Definition klartext_step {num} {N : Numbers num} (s : klartext_setup num) (b : k
   _ <- match not_read b with Some name => Alarm name | None => Got tt end ;;
   let st := starts b st in
   let machine_datum := has_function 91 b || has_function 92 b in
-  _ <- alarm_if (machine_datum && tcpm_on (tcpm_of st)) "E_TCPM_M91" ;;
+  _ <- alarm_if (machine_datum && tcpm_on (tcpm_of st)) "machine-coordinates-under-tcpm" ;;
   let only st : outcome (klartext_state num * option (planned num)) := Got (st, None) in
   '(st, p) <-
     match says b with

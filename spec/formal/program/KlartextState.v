@@ -190,12 +190,12 @@ Definition with_m107 {num} (permitted : bool) (st : klartext_state num) : klarte
 (** heidenhain.program.tool-unknown: a number or name without a row, and a string parameter, raise E_NO_TOOL. TOOL CALL 0
     is a tool of zeros. *)
 Definition find_tool {num} {N : Numbers num} (s : klartext_setup num) (tool : called_tool) : outcome (tool_row num) :=
-  let found row := match row with Some row => Got row | None => Alarm "E_NO_TOOL" end in
+  let found row := match row with Some row => Got row | None => Alarm "no-tool" end in
   match tool with
   | ByNumber 0 => Got tool_of_zeros
   | ByNumber n => found (find (fun row => tool_number row =? n) (tools s))
   | ByName name => found (find (fun row => String.eqb (tool_name row) name) (tools s))
-  | ByStringParameter | NoToolWord => Alarm "E_NO_TOOL"
+  | ByStringParameter | NoToolWord => Alarm "no-tool"
   end.
 
 (** heidenhain.program.tool-call: with a tool it takes over its row, sets R0 and replaces the deltas of the call before by
@@ -208,7 +208,7 @@ Definition call_tool {num} {N : Numbers num} (s : klartext_setup num) (tool : ca
     (given_deltas : deltas (option (written num))) (f : option (feed_word num)) (st : klartext_state num) :
     outcome (klartext_state num) :=
   let without_tool := match tool with NoToolWord => true | _ => false end in
-  _ <- alarm_if (negb without_tool && tcpm_on (tcpm_of st)) "E_TCPM_TOOLCALL" ;;
+  _ <- alarm_if (negb without_tool && tcpm_on (tcpm_of st)) "tool-call-under-tcpm" ;;
   row <- (if without_tool then Got (called (tool_of st))
           else row <- find_tool s tool ;; Got (Some (row_from_table st row))) ;;
   let before := if without_tool then of_call (tool_of st) else no_deltas in

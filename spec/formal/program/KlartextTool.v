@@ -82,9 +82,9 @@ Definition place_of_angle {num} {N : Numbers num} (a : contact_angle num) (point
   let first := hd (0%num, 0%num) points in
   let final := last points first in
   at_first <- angle_against "heidenhain.tool.deviation-below" a (fst first) ;;
-  _ <- alarm_if (match at_first with Lt => true | _ => false end) "E_3DTC_RANGE" ;;
+  _ <- alarm_if (match at_first with Lt => true | _ => false end) "deviation-range" ;;
   at_last <- angle_against "heidenhain.tool.deviation-above" a (fst final) ;;
-  _ <- alarm_if (match at_last with Gt => true | _ => false end) "E_3DTC_RANGE" ;;
+  _ <- alarm_if (match at_last with Gt => true | _ => false end) "deviation-range" ;;
   match at_first, at_last with
   | Eq, _ => Got (At (snd first))
   | _, Eq => Got (At (snd final))
@@ -136,11 +136,11 @@ Arguments flat_of_table {num}. Arguments flat {num}. Arguments theta {num}.
     corner radius, and a corner radius beyond the radius, raise E_TOOL. *)
 Definition check_table {num} {N : Numbers num} (row : tool_row num) : outcome unit :=
   no_radius <- is_negative "heidenhain.tool.table-radius" (radius row) ;;
-  _ <- alarm_if no_radius "E_TOOL" ;;
+  _ <- alarm_if no_radius "tool-shape" ;;
   no_corner <- is_negative "heidenhain.tool.table-corner-radius" (corner_radius row) ;;
-  _ <- alarm_if no_corner "E_TOOL" ;;
+  _ <- alarm_if no_corner "tool-shape" ;;
   no_shape <- is_negative "heidenhain.tool.table-shape" (radius row - corner_radius row)%num ;;
-  alarm_if no_shape "E_TOOL".
+  alarm_if no_shape "tool-shape".
 
 (** heidenhain.tool.oversize-permitted: under M107 positive deltas and corner radii beyond the radius raise no alarm.
     heidenhain.tool.oversize-radius: dR > 0 raises E_OVERSIZE_DR.
@@ -151,14 +151,14 @@ Definition check_oversize {num} {N : Numbers num} (tool : tool_in_force num) (wi
     (d : deltas num) (flat_left : num) : outcome unit :=
   if oversize_permitted tool then Got tt else
   larger <- is_positive "heidenhain.tool.oversize-radius" (of_radius d) ;;
-  _ <- alarm_if larger "E_OVERSIZE_DR" ;;
+  _ <- alarm_if larger "oversize-radius" ;;
   if negb with_normal then Got tt else
   let corner := if with_table then of_corner (programmed_deltas tool) else of_corner d in
   rounder <- is_positive "heidenhain.tool.oversize-corner" corner ;;
-  _ <- alarm_if rounder "E_OVERSIZE_DR2" ;;
+  _ <- alarm_if rounder "oversize-corner" ;;
   if with_table then Got tt else
   beyond <- is_negative "heidenhain.tool.corner-beyond-radius" flat_left ;;
-  alarm_if beyond "E_R2_GT_R".
+  alarm_if beyond "corner-beyond-radius".
 
 (** heidenhain.tool.order-of-checks: in this order; the first ends the run. The contact is that of a block with a normal.
     heidenhain.tool.none: E_NO_TOOL before any tool call.
@@ -169,8 +169,8 @@ Definition check_oversize {num} {N : Numbers num} (tool : tool_in_force num) (wi
     heidenhain.tool.effective-flat: the flat has the radius R' - R2', and none where the corner radius is larger. *)
 Definition usable_tool {num} {N : Numbers num} (tool : tool_in_force num) (contact : option (contact_angle num))
     (radius_compensation : bool) : outcome (effective_tool num) :=
-  _ <- alarm_if (negb (given (row_of_tool tool))) "E_NO_TOOL" ;;
-  _ <- alarm_if (given contact && radius_compensation) "E_RC_WITH_N" ;;
+  _ <- alarm_if (negb (given (row_of_tool tool))) "no-tool" ;;
+  _ <- alarm_if (given contact && radius_compensation) "normal-with-radius-compensation" ;;
   let row := table_row tool in
   let d := total_deltas tool in
   _ <- check_table row ;;
@@ -178,16 +178,16 @@ Definition usable_tool {num} {N : Numbers num} (tool : tool_in_force num) (conta
   let R' := (radius row + of_radius d)%num in
   let check_radius :=
     negative <- is_negative "heidenhain.tool.effective-radius" R' ;;
-    alarm_if negative "E_TOOL_EFF" in
+    alarm_if negative "effective-radius" in
   match contact, deviations row with
   | Some a, Some points =>
       ball <- is_zero "heidenhain.tool.deviation-shape" rho ;;
-      _ <- alarm_if (negb ball) "E_3DTC_SHAPE" ;;
+      _ <- alarm_if (negb ball) "deviation-shape" ;;
       _ <- check_radius ;;
       place <- place_of_angle a points ;;
       let added := of_corner (programmed_deltas tool) in
       c <- sign_of_corner a (corner_radius row + added)%num place ;;
-      _ <- alarm_if (match c with Lt => true | _ => false end) "E_R2_NEG" ;;
+      _ <- alarm_if (match c with Lt => true | _ => false end) "corner-radius-negative" ;;
       _ <- check_oversize tool true true d 0%num ;;
       angle <- degrees_of a ;;
       let corner := (deviation_at angle place + added)%num in
@@ -197,7 +197,7 @@ Definition usable_tool {num} {N : Numbers num} (tool : tool_in_force num) (conta
       let R2' := (corner_radius row + of_corner d)%num in
       _ <- check_radius ;;
       negative <- is_negative "heidenhain.tool.effective-corner-radius" R2' ;;
-      _ <- alarm_if negative "E_R2_NEG" ;;
+      _ <- alarm_if negative "corner-radius-negative" ;;
       _ <- check_oversize tool (given contact) false d (R' - R2')%num ;;
       with_flat <- match contact with
                    | Some _ => is_positive "heidenhain.tool.effective-flat" (R' - R2')%num

@@ -84,9 +84,9 @@ Definition named_axes {num} {N : Numbers num} (s : setup num) (c : length_comman
     outcome axis_set :=
   let linear := map2 andb (named c) (map Letter.linear (axes s)) in
   offset <- offset_axes (vector l) ;;
-  _ <- alarm_if (empty linear) "PS0027" ;;
+  _ <- alarm_if (empty linear) "length-offset-without-axis" ;;
   let second := (1 <? size linear) || negb (empty (without offset linear)) in
-  _ <- alarm_if (second && negb (tal s)) "PS0027" ;;
+  _ <- alarm_if (second && negb (tal s)) "length-offset-second-axis" ;;
   Got linear.
 
 (** fanuc.length-offset.type-a: type A offsets Z.
@@ -132,7 +132,7 @@ Definition apply {num} {N : Numbers num} (s : setup num) (o : offsets num) (set 
     fanuc.length-offset.cancel-three-axes: while three or more axes have an offset that is not zero it raises PS0015. *)
 Definition cancel {num} {N : Numbers num} (s : setup num) (l : length_offset num) : outcome (length_offset num) :=
   offset <- offset_axes (vector l) ;;
-  _ <- alarm_if (3 <=? size offset) "PS0015" ;;
+  _ <- alarm_if (3 <=? size offset) "length-offset-axes" ;;
   Got (LengthOffset None (number_in_force l) (zeros s) (no_axes s) (no_axes s)).
 
 (** A block with G43, G44 or an H that counts.

@@ -24,16 +24,16 @@ Definition zone {num} {N : Numbers num} (s : setup num) : num := length_paramete
 Definition measurement_words {num} {N : Numbers num} (s : setup num) (m : modes) (c : length_command)
     (in_cutter_compensation : bool) (l : length_offset num) : outcome unit :=
   let clause := "fanuc.length-measurement.parameters-in-order" in
-  _ <- alarm_if (given (h c)) "PS0082" ;;
-  _ <- alarm_if (number_in_force l =? 0) "PS0081" ;;
+  _ <- alarm_if (given (h c)) "measurement-number-in-block" ;;
+  _ <- alarm_if (number_in_force l =? 0) "measurement-without-number" ;;
   let linear := map2 andb (named c) (map Letter.linear (axes s)) in
-  _ <- alarm_if (incremental m || negb (size (named c) =? 1) || empty linear) "PS0083" ;;
-  _ <- alarm_if (given (code c)) "MEASUREMENT_FORMAT" ;;
-  _ <- alarm_if in_cutter_compensation "PS0036" ;;
+  _ <- alarm_if (incremental m || negb (size (named c) =? 1) || empty linear) "measurement-axis" ;;
+  _ <- alarm_if (given (code c)) "measurement-format" ;;
+  _ <- alarm_if in_cutter_compensation "measurement-in-cutter-compensation" ;;
   apart <- is_positive clause (slow_distance s - zone s)%num ;;
   negative_zone <- is_negative clause (zone s) ;;
   feed <- match parameter s "6241" with Some f => is_positive clause f | None => Got true end ;;
-  alarm_if (negb apart || negative_zone || negb feed) "MEASUREMENT_PARAMETERS".
+  alarm_if (negb apart || negative_zone || negb feed) "measurement-parameters".
 
 (** Where the two parts of the motion end, and what is measured. *)
 Record measurement_path (num : Type) := MeasurementPath {

@@ -49,7 +49,7 @@ Definition applied {num} {N : Numbers num} (s : setup num) (by_ : number_by) (o 
   let '(geometry, wear) := entry_of by_ o number in
   let total := (geometry + wear)%num in
   too_large <- beyond_largest "fanuc.memory.value-too-large" s false total ;;
-  _ <- alarm_if too_large "PS0029" ;;
+  _ <- alarm_if too_large "offset-value" ;;
   Got total.
 
 (** What G10 writes: of which address, wear or geometry, which number, which value. *)
@@ -86,7 +86,7 @@ Definition written {num} {N : Numbers num} (s : setup num) (m : modes) (o : offs
   let '(by_, wear) := into in
   match whole_word Letter.P b with
   | Some number =>
-      if (number <? 1) || (offset_count s <? number) then Alarm "PS0031"
+      if (number <? 1) || (offset_count s <? number) then Alarm "g10_number"
       else
         match last_number s (in_inches m) Letter.R b with
         | None => Got None
@@ -103,10 +103,10 @@ Definition written {num} {N : Numbers num} (s : setup num) (m : modes) (o : offs
               | MemoryC, ByD => d_too_large
               | _, _ => h_too_large || d_too_large
               end in
-            _ <- alarm_if too_large "PS0032" ;;
+            _ <- alarm_if too_large "g10_value" ;;
             Got (Some (Writing by_ wear number (new ByH) (new ByD)))
         end
-  | None => Alarm "PS0031"
+  | None => Alarm "g10_number"
   end.
 
 (** fanuc.memory.kinds, fanuc.memory.one-table-given: in memory A and B H and D share what is written; where both tables

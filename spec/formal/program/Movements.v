@@ -156,8 +156,8 @@ Definition reference_position {num} {N : Numbers num} (s : setup num) (code : op
   | Some OtherReference =>
       match last_word Letter.P (words b), whole_word Letter.P b with
       | None, _ => position 2
-      | Some _, Some p => if among p [2; 3; 4] then position p else Alarm "PS0046"
-      | Some _, None => Alarm "PS0046"
+      | Some _, Some p => if among p [2; 3; 4] then position p else Alarm "reference-number"
+      | Some _, None => Alarm "reference-number"
       end
   | Some FloatingReference => Got (Some (floating s))
   | _ => Got None

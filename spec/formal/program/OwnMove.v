@@ -34,7 +34,7 @@ Definition arc_between {num} {N : Numbers num} (s : setup num) (m : modes) (refu
   | None =>
       if existsb (fun letter => given (number letter)) [Letter.I; Letter.J; Letter.K]
       then by_center refused_later clockwise (or_else (number i) 0%num, or_else (number j) 0%num) from to
-      else Alarm "PS0023"
+      else Alarm "arc-without-center"
   end.
 
 (** * Tool offset *)
@@ -72,7 +72,7 @@ Definition own_move {num} {N : Numbers num} (s : setup num) (numbers : some_valu
       match longer with
       | None => Got (add2 (center_at c) (in_plane_of s p (shift st)), shift st, sweep_of c, ends c)
       | Some l =>
-          _ <- alarm_if (given (last_word Letter.R (words b))) "G45_ARC" ;;
+          _ <- alarm_if (given (last_word Letter.R (words b))) "tool-offset-arc" ;;
           '(to_center, travel, swept) <-
             longer_arc l (sub2 (center_at c) start) (sub2 finish start) (sweep_of c) ;;
           let tool := add2 start (in_plane_of s p (shift st)) in
@@ -125,5 +125,5 @@ Definition measurement {num} {N : Numbers num} (s : setup num) (numbers : some_v
                end in
   let second := match measuring_to path with Some x => [part Linear Measuring x feed_of_part] | None => [] end in
   let st := at_position st (standing (reached path)) (shift st) in
-  Got (st, first ++ second, if in_zone path then None else Some "PS0080",
+  Got (st, first ++ second, if in_zone path then None else Some "no-signal",
        if in_zone path then Some (measured s (offsets_of st) (number_in_force l) (reached path - d)%num) else None).

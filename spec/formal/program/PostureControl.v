@@ -115,7 +115,7 @@ Definition end_in_range {num} {N : Numbers num} (s : setup num) (to : pose num) 
   '(first_range, second_range) <- ranges s ;;
   first_fine <- in_range first_range (fst to) ;;
   second_fine <- in_range second_range (snd to) ;;
-  alarm_if (negb (first_fine && second_fine)) "PS5459".
+  alarm_if (negb (first_fine && second_fine)) "unreachable".
 
 Definition to_singular {num} {N : Numbers num} (s : setup num) (k : kinematics num) (opposite above : bool) (from : pose num)
     (commanded : option (pose num)) (vs ve vs_from_zero : triple num) : outcome (rotary_run num) :=
@@ -182,7 +182,7 @@ Definition stays_in_reach {num} {N : Numbers num} (k : kinematics num) (p : circ
   let asked opposite x :=
     exists_ <- reaches_work_axis k opposite ;;
     if foot_inside p opposite && negb exists_ then
-      outside <- is_negative "fanuc.tool-posture.reach-inside" x ;; alarm_if outside "PS5459"
+      outside <- is_negative "fanuc.tool-posture.reach-inside" x ;; alarm_if outside "unreachable"
     else Got tt in
   _ <- asked false (along_axis r + rho - nearest)%num ;;
   asked true (rho - along_axis r - nearest)%num.
@@ -335,7 +335,7 @@ Definition to_direction {num} {N : Numbers num} (s : setup num) (k : kinematics 
              first_fine <- in_range first_range (fst to) ;;
              second_fine <- in_range second_range (snd to) ;;
              Got (if first_fine && second_fine then Some to else None)) ;;
-        _ <- alarm_if (negb (given changed) && bit s "19696#3") "PS5421" ;;
+        _ <- alarm_if (negb (given changed) && bit s "19696#3") "singular-posture" ;;
         Got changed
     | None => Got None
     end ;;
@@ -363,7 +363,7 @@ Definition posture_run {num} {N : Numbers num} (s : setup num) (k : kinematics n
         match parallel with
         | Some opposite =>
             reached <- reaches_work_axis k opposite ;;
-            _ <- alarm_if (negb reached) "PS5459" ;;
+            _ <- alarm_if (negb reached) "unreachable" ;;
             Got false
         | None => angles <- tool_angles k ve ;; Got (match angles with [_] => true | _ => false end)
         end

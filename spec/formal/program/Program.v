@@ -18,8 +18,8 @@ Definition offset_number {num} (s : setup num) (letter : Letter.t) (b : block nu
   | None => Got None
   | Some w =>
       match whole w with
-      | Some number => if offset_count s <? number then Alarm "PS0030" else Got (Some number)
-      | None => Alarm "PS0030"
+      | Some number => if offset_count s <? number then Alarm "offset-number" else Got (Some number)
+      | None => Alarm "offset-number"
       end
   end.
 
@@ -81,7 +81,7 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
     (st : state num) : outcome (planned num * option string) :=
   _ <- match unreadable b with Some number => Alarm number | None => Got tt end ;;
   match codes_of b with
-  | None => Alarm "PS0010"
+  | None => Alarm "unknown-code"
   | Some codes =>
     let code := action_of codes in
     let m := select codes (modes_of st) in
@@ -89,7 +89,8 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
     let input := match code with Some DataInput => true | _ => false end in
     let origins := input && among (or_else l 0) [2; 20] in
     let into := if input then store s l else None in
-    _ <- alarm_if ((input && negb origins && negb (given into)) || three_dimensional s codes b) "PS0010" ;;
+    _ <- alarm_if (three_dimensional s codes b) "unknown-code" ;;
+    _ <- alarm_if (input && negb origins && negb (given into)) "g10_kind" ;;
     h <- offset_number s Letter.H b ;;
     d <- offset_number s Letter.D b ;;
     c <- select_system codes b (coordinates_of st) ;;
@@ -139,7 +140,7 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
     (* G45 to G48. *)
     let offset_mode := match length_code_of codes with
                        | Some G49 => false | Some _ => true | None => given (in_force (length_of st)) end in
-    _ <- alarm_if (is_shift code && by_h_number s && offset_mode) "G45_LENGTH_OFFSET" ;;
+    _ <- alarm_if (is_shift code && by_h_number s && offset_mode) "tool-offset-length" ;;
     longer <-
       (if is_shift code && (negb (empty named) || given circle_of) then
          let '(by_, number) :=

@@ -43,7 +43,7 @@ Definition plane_change {num} {N : Numbers num} (s : setup num) (a b : planned n
     if against : bool then Got tt
     else
       back <- is_negative "fanuc.tool-side.plane-change-reversal" (dot3 wa (cross3 va (displacement s b))) ;;
-      alarm_if back "PS0041".
+      alarm_if back "interference".
 
 (** fanuc.tool-side.plane-change-check: NIC, and which corners are checked.
     fanuc.tool-side.q3: with Q there is no alarm. *)
@@ -168,7 +168,7 @@ Fixpoint dropped_pairs {num} {N : Numbers num} (s : setup num) (tries : nat) (b 
       if negb hit then Got (vs, ws, negb (given first_test))
       else
         match before_v, behind_w with
-        | [], [] => Alarm "PS0041"
+        | [], [] => Alarm "interference"
         | _, _ =>
             dropped_pairs s fewer b None (match before_v with [] => vs | _ => before_v end)
               (match behind_w with [] => ws | _ => behind_w end)

@@ -20,10 +20,10 @@ Definition removes_at_once {num} (s : setup num) (b : planned num) : bool :=
 Definition start_has_next {num} {N : Numbers num} (s : setup num) (b : planned num) (rest : list (planned num)) :
     outcome unit :=
   match rest with
-  | [] => Alarm "TYPE_C_FORMAT"
+  | [] => Alarm "type-c-format"
   | next :: _ =>
       moves <- moves_across s (tool_behind s b) next ;;
-      alarm_if (negb (moves && asked (side_at_end next))) "TYPE_C_FORMAT"
+      alarm_if (negb (moves && asked (side_at_end next))) "type-c-format"
   end.
 
 (** fanuc.tool-side.arc-plane: seen on edge, at the end of a block whose B is the arc, or at its own end, an arc leaves the
@@ -96,7 +96,7 @@ Definition standing_at_start {num} {N : Numbers num} (s : setup num) (b : planne
   let x := side_at_end b in
   let vt := tool_behind s b in
   match rest with
-  | [] => Alarm "TYPE_C_FORMAT"
+  | [] => Alarm "type-c-format"
   | next :: _ =>
       negative <- is_negative "fanuc.cutter.side" (side_value x) ;;
       let rho := to_left (on_left x) (if negative : bool then (- side_value x)%num else side_value x) in

@@ -110,12 +110,12 @@ Definition side_alarms {num} {N : Numbers num} (s : setup num) (c : command num)
   let q_known := match whole_word Letter.Q b with Some q => (1 <=? q) && (q <=? 3) | None => false end in
   let of_vector := if under_vector c st then [412; 422] else [416; 426] in
   _ <- alarm_if (match compensation_said c with Some code => among code of_vector | None => false end)
-         "TOOL_SIDE_MODE" ;;
-  _ <- alarm_if (on_before && planes_differ (in_plane (in_modes c)) (in_plane (modes_of st))) "PS0037" ;;
-  _ <- alarm_if (forbidden_with_side s c on_before on_after (axis_word || arc)) "FORBIDDEN_IN_3D_COMPENSATION" ;;
-  _ <- alarm_if (on_after && given (last_word Letter.Q (words b)) && negb q_known) "Q_FORMAT" ;;
-  _ <- alarm_if ((makes || removes) && (axis_word || in_arc c) || (makes && stops_look_ahead b)) "TYPE_C_FORMAT" ;;
-  _ <- alarm_if (negb (makes_at_once s) && negb (Bool.eqb (made x) on_after) && arc) "PS0034" ;;
+         "side-mode" ;;
+  _ <- alarm_if (on_before && planes_differ (in_plane (in_modes c)) (in_plane (modes_of st))) "plane-change" ;;
+  _ <- alarm_if (forbidden_with_side s c on_before on_after (axis_word || arc)) "forbidden-in-compensation" ;;
+  _ <- alarm_if (on_after && given (last_word Letter.Q (words b)) && negb q_known) "treatment" ;;
+  _ <- alarm_if ((makes || removes) && (axis_word || in_arc c) || (makes && stops_look_ahead b)) "type-c-format" ;;
+  _ <- alarm_if (negb (makes_at_once s) && negb (Bool.eqb (made x) on_after) && arc) "arc-at-start-or-cancel" ;;
   if given (side_behind_words c (side_in_force x)) && reads_side_value s c x && negb (snd (number_behind s c st) =? 0)
   then let '(by_, number) := number_behind s c st in _ <- applied s by_ (offsets_of st) number ;; Got tt
   else Got tt.
@@ -144,7 +144,7 @@ Definition after_start {num} {N : Numbers num} (s : setup num) (c : command num)
      else line_crosses s (start_axis start) travel) ;;
   let awaits := awaits_first start && negb crosses in
   _ <- alarm_if ((follows || (awaits_first start && crosses)) && xorb left (starts_left start))
-         "DIR_CHANGE_AT_STARTUP" ;;
+         "side-change-at-start" ;;
   Got (if follows || (negb awaits && (can_follow <=? 1)) then None
        else Some (SideStart (start_axis start) (starts_left start) awaits (can_follow - 1))).
 
@@ -167,7 +167,7 @@ Definition side_behind {num} {N : Numbers num} (s : setup num) (c : command num)
     _ <- (if made x && negb (asked x) && asked_now then Undecided "fanuc.cutter-c.restart-before-removal" else Got tt) ;;
     let arc := arc_of_moves moves in
     let in_center := match arc with Some a => negb (given (sweep a)) | None => false end in
-    _ <- alarm_if (asked_now && in_center) "PS0038" ;;
+    _ <- alarm_if (asked_now && in_center) "arc-ends-in-center" ;;
     let travel := sub3 (in_space s (programmed after)) (in_space s (programmed before)) in
     let vt := tool_of s after in
     crosses <- (if given arc then Got true else line_crosses s vt travel) ;;

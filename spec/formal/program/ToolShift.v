@@ -79,14 +79,14 @@ Definition longer_arc {num} {N : Numbers num} (longer : num) (to_center travel :
     outcome (pair num * pair num * option num) :=
   form <- quarter to_center travel ;;
   match form with
-  | None => Alarm "G45_ARC"
+  | None => Alarm "tool-offset-arc"
   | Some first =>
       let radius_vector := if first then fst to_center else snd to_center in
       back <- is_negative "fanuc.tool-offset.arc" radius_vector ;;
       let radius := if back : bool then (- radius_vector)%num else radius_vector in
       let new_radius := (radius + longer)%num in
       negative <- is_negative "fanuc.tool-offset.arc-radius" new_radius ;;
-      _ <- alarm_if negative "PS0038" ;;
+      _ <- alarm_if negative "arc-ends-in-center" ;;
       nothing <- is_zero "fanuc.tool-offset.arc-radius" new_radius ;;
       along <- toward radius_vector new_radius ;;
       x <- toward (fst travel) new_radius ;;

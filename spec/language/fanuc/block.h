@@ -10,7 +10,7 @@
 #include <string>
 
 #include "spec/language/decimal.h"
-#include "spec/language/name.h"
+#include "spec/parameters/alarm_causes.h"
 
 namespace toolcomp::spec {
 
@@ -23,7 +23,7 @@ struct Word {
 
 // What the control raises when it reaches a block it cannot read (docs/events.md, rule 5).
 struct ReadAlarm {
-  Name number;  // PS0003 …
+  AlarmCause cause = AlarmCause::none;
   std::uint32_t column = 0;
   const char* message = "";  // static text
   bool beyond = false;       // a control may well read this; this project does not

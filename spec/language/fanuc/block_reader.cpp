@@ -150,11 +150,11 @@ void BlockReader::skip_byte_order_mark() {
 }
 
 // Attaches the fault; the rest of the block is not read as words.
-bool BlockReader::raise(Block& block, std::uint32_t column, const char* number, const char* message) {
-  block.alarm = ReadAlarm{number, column, message};
+bool BlockReader::raise(Block& block, std::uint32_t column, AlarmCause cause, const char* message) {
+  block.alarm = ReadAlarm{cause, column, message};
   started_ = true;
   // A word of a macro begins with the letter that was taken for an address.
-  const char* const word = block.alarm->number == Name("PS0005") ? &letter_ : nullptr;
+  const char* const word = block.alarm->cause == AlarmCause::digit_missing ? &letter_ : nullptr;
   passed_size_ = 0;
   if (word != nullptr) passed_[passed_size_++] = *word;
   skip_block();
@@ -241,7 +241,8 @@ void BlockReader::skip_block() {
 
 // At the / that begins a block: the switch number, and the whole block where blocks are to be skipped.
 bool BlockReader::read_slash(Block& block) {
-  if (block.size != 0 || block.n) return raise(block, column(), "PS0004", "/ stands only at the head of a block");
+  if (block.size != 0 || block.n)
+    return raise(block, column(), AlarmCause::address_missing, "/ stands only at the head of a block");
   started_ = true;
   take();
   const int byte = peek();
@@ -254,9 +255,10 @@ bool BlockReader::read_slash(Block& block) {
 bool BlockReader::read_word(Block& block, char letter) {
   const std::uint32_t start = column();
   const Address& admitted = address_[static_cast<unsigned char>(letter)];
-  if (!admitted.known) return raise(block, start, "PS0009", "this letter is no address of this control");
+  if (!admitted.known)
+    return raise(block, start, AlarmCause::unknown_address, "this letter is no address of this control");
   if (letter != 'N' && block.size == Block::kMaxWords)
-    return raise(block, start, "TOO_MANY_WORDS", "more words in the block than can be read");
+    return raise(block, start, AlarmCause::too_many_words, "more words in the block than can be read");
   started_ = true;
   take();
   letter_ = letter;
@@ -278,13 +280,14 @@ bool BlockReader::read_word(Block& block, char letter) {
 bool BlockReader::read_name(Block& block) {
   const std::uint32_t start = column();
   const bool called = jump_ == Jump::call && block.size != 0 && block.word[block.size - 1].address == 'M';
-  if (!called && (block.size != 0 || block.n)) return raise(block, start, "PS0004", "a name is no address");
+  if (!called && (block.size != 0 || block.n))
+    return raise(block, start, AlarmCause::address_missing, "a name is no address");
   started_ = true;
   take();
   name_size_ = 0;
   for (int byte = peek(); byte != '>'; byte = peek()) {
     if (byte == kEnd || byte == '\n' || byte < 0x20 || byte > 0x7E || name_size_ == kLongestName)
-      return raise(block, start, "PS0004", "a program name is 1 to 32 characters in < >");
+      return raise(block, start, AlarmCause::address_missing, "a program name is 1 to 32 characters in < >");
     name_[name_size_++] = static_cast<char>(byte);
     take();
   }
@@ -299,28 +302,30 @@ bool BlockReader::read_number(Block& block, const Address& admitted, std::uint32
   while (byte == ' ' || byte == '\t' || byte == '\r') take(), byte = peek();
   value = {};
   if (byte == '-' || byte == '+') {
-    if (!admitted.sign) return raise(block, column(), "PS0006", "this address takes no sign");
+    if (!admitted.sign) return raise(block, column(), AlarmCause::sign, "this address takes no sign");
     value.negative = byte == '-';
     take();
     byte = peek();
-    if (byte == '-' || byte == '+') return raise(block, column(), "PS0006", "a second sign");
+    if (byte == '-' || byte == '+') return raise(block, column(), AlarmCause::sign, "a second sign");
   }
   int digits = 0;
   for (;; take(), byte = peek()) {
     if (is_digit(byte)) {
-      if (++digits > kMaxProgramDigits) return raise(block, column(), "PS0003", "a number of more than 15 digits");
+      if (++digits > kMaxProgramDigits)
+        return raise(block, column(), AlarmCause::number_too_long, "a number of more than 15 digits");
       value.digits = value.digits * 10 + static_cast<std::uint64_t>(byte - '0');
       value.decimals = static_cast<std::uint8_t>(value.decimals + (value.point ? 1 : 0));
     } else if (byte == '.') {
-      if (value.point) return raise(block, column(), "PS0007", "a second decimal point");
-      if (!admitted.point) return raise(block, column(), "PS0007", "this address takes no decimal point");
+      if (value.point) return raise(block, column(), AlarmCause::decimal_point, "a second decimal point");
+      if (!admitted.point)
+        return raise(block, column(), AlarmCause::decimal_point, "this address takes no decimal point");
       value.point = true;
     } else {
       break;
     }
   }
-  if (digits == 0) return raise(block, start, "PS0005", "an address without a digit");
-  if (byte == '-' && value.negative) return raise(block, column(), "PS0006", "a second minus");
+  if (digits == 0) return raise(block, start, AlarmCause::digit_missing, "an address without a digit");
+  if (byte == '-' && value.negative) return raise(block, column(), AlarmCause::sign, "a second minus");
   return true;
 }
 
@@ -415,13 +420,13 @@ bool BlockReader::read_block(Block& block) {
         read_slash(block);
         break;
       case Kind::number:
-        raise(block, column(), "PS0004", "a number where an address must stand");
+        raise(block, column(), AlarmCause::address_missing, "a number where an address must stand");
         break;
       case Kind::sign:
-        raise(block, column(), "PS0004", "a sign where an address must stand");
+        raise(block, column(), AlarmCause::address_missing, "a sign where an address must stand");
         break;
       case Kind::other:
-        raise(block, column(), "PS0004", "this character is no address");
+        raise(block, column(), AlarmCause::address_missing, "this character is no address");
         break;
       case Kind::substitute:
         end_file();

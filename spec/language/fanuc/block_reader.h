@@ -88,7 +88,7 @@ class BlockReader {
   [[nodiscard]] const char* read_usual(const char* at, const Address& admitted, Decimal& value) const;
   bool read_slash(Block& block);
   bool read_name(Block& block);
-  bool raise(Block& block, std::uint32_t column, const char* number, const char* message);
+  bool raise(Block& block, std::uint32_t column, AlarmCause cause, const char* message);
   void skip_comment();
   void skip_block();
   void end_line();

@@ -96,8 +96,8 @@ void ProgramReader::State::end_program() {
 }
 
 void ProgramReader::State::follow(Block& block) {
-  const auto fault = [&block](const char* number, const char* message, bool beyond = false) {
-    block.alarm = ReadAlarm{number, block.size == 0 ? 1 : block.word[0].column, message, beyond};
+  const auto fault = [&block](AlarmCause cause, const char* message, bool beyond = false) {
+    block.alarm = ReadAlarm{cause, block.size == 0 ? 1 : block.word[0].column, message, beyond};
   };
   if (reader().jump() == BlockReader::Jump::call) {
     call(block);
@@ -105,11 +105,12 @@ void ProgramReader::State::follow(Block& block) {
   }
   const Word* p = nullptr;
   for (const Word& word : block.words()) {
-    if (word.address == 'L') return fault("PS0010", "M99 with L (count of repetitions) is not supported", true);
+    if (word.address == 'L')
+      return fault(AlarmCause::unknown_code, "M99 with L (count of repetitions) is not supported", true);
     if (word.address == 'P') p = &word;
   }
   if (p == nullptr || calls.empty()) {
-    if (p != nullptr) return fault("PS0010", "M99 with P in a main program is not supported", true);
+    if (p != nullptr) return fault(AlarmCause::unknown_code, "M99 with P in a main program is not supported", true);
     end_program();
     return;
   }
@@ -123,16 +124,16 @@ void ProgramReader::State::return_to(Block& block, const Word& sequence_number) 
   Block target;
   const Decimal& number = sequence_number.value;
   if (number.decimals != 0 || number.negative || !reader().find(number.digits, target))
-    block.alarm =
-        ReadAlarm{"PS0078", sequence_number.column, "M99 P: no block behind the call has this sequence number"};
+    block.alarm = ReadAlarm{AlarmCause::sequence_number_missing, sequence_number.column,
+                            "M99 P: no block behind the call has this sequence number"};
   else if (target.size != 0 || target.alarm)
     found = target;
 }
 
 void ProgramReader::State::call(Block& block) {
   const ProgramCall wanted = program_call(block, reader());
-  const auto fault = [&block](const char* number, const char* message) {
-    block.alarm = ReadAlarm{number, block.word[0].column, message};
+  const auto fault = [&block](AlarmCause cause, const char* message) {
+    block.alarm = ReadAlarm{cause, block.word[0].column, message};
   };
   if (!library) {
     library.emplace(axes, options);
@@ -140,9 +141,10 @@ void ProgramReader::State::call(Block& block) {
     main.go_on(text_source(library->add(main.take_rest(), line, wanted.program)));
   }
   const std::optional<ProgramLibrary::Program> program = library->find(wanted.program);
-  if (wanted.program.empty()) return fault("PS0076", "M98 without the number of a program");
-  if (!program) return fault("PS0076", "M98: there is no program of this number");
-  if (calls.size() == kMostCalls) return fault("PS0077", "more than 10 programs called one inside the other");
+  if (wanted.program.empty()) return fault(AlarmCause::program_missing, "M98 without the number of a program");
+  if (!program) return fault(AlarmCause::program_missing, "M98: there is no program of this number");
+  if (calls.size() == kMostCalls)
+    return fault(AlarmCause::calls_too_deep, "more than 10 programs called one inside the other");
   begin(calls.emplace_back(Call{*program, {}, wanted.times - 1}));
 }
 
@@ -165,7 +167,8 @@ bool ProgramReader::next(Block& block) {
     state.calls.back().empty = false;
     state.too_long = ++state.called_blocks > state.options.most_repeated;
     if (state.too_long)
-      block.alarm = ReadAlarm{"TOO_LONG", 1, "programs that are called have more blocks than are followed here", true};
+      block.alarm = ReadAlarm{AlarmCause::program_too_long, 1,
+                              "programs that are called have more blocks than are followed here", true};
   }
   if (state.reader().jump() != BlockReader::Jump::none && !block.alarm) [[unlikely]]
     state.follow(block);

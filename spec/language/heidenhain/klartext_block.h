@@ -12,6 +12,7 @@
 #include "spec/language/decimal.h"
 #include "spec/language/name.h"
 #include "spec/language/setup.h"
+#include "spec/parameters/alarm_causes.h"
 
 namespace toolcomp::spec::klartext {
 
@@ -69,7 +70,7 @@ enum class ToolWord : std::uint8_t { none, number, name, string_parameter };
 
 // What the control raises when it reaches a block it cannot read (docs/events.md, rule 5).
 struct ReadAlarm {
-  Name number;             // E_SYNTAX …
+  AlarmCause cause = AlarmCause::none;
   std::uint64_t line = 0;  // of the text: of the fault; behind a continuation not that of the block
   std::uint32_t column = 0;
   const char* message = "";  // static text

@@ -27,7 +27,7 @@ const char* BlockParser::label_word(Block& block, const char* at) {
     at = quoted(block, at, name);
     if (at == nullptr) return nullptr;
     if (name.empty() || name.size() > kLongestLabel)
-      return raise(block, word, "E_SYNTAX", "the name of a label has 1 to 32 characters");
+      return raise(block, word, AlarmCause::syntax, "the name of a label has 1 to 32 characters");
     block.label = std::string_view(word, name.size() + 2);
     return at;
   }
@@ -54,7 +54,7 @@ const char* BlockParser::called_label(Block& block, const char* at) {
   const char* const word = at;
   at = label_word(block, at);
   if (at == nullptr) return nullptr;
-  if (block.label == "0") return raise(block, word, "E_SYNTAX", "LBL 0 is the end of subprograms");
+  if (block.label == "0") return raise(block, word, AlarmCause::syntax, "LBL 0 is the end of subprograms");
   if (upper(at[0]) != 'R' || upper(at[1]) != 'E' || upper(at[2]) != 'P') return at;
   const char* const repeat = at;
   at += 3;
@@ -84,7 +84,7 @@ const char* BlockParser::called_program(Block& block, const char* at) {
   }
   if (name.empty()) return bad_word(block, word);
   if (name.size() > Name::kCapacity)
-    return raise(block, word, "E_SYNTAX", "the name of a program has 63 characters at most");
+    return raise(block, word, AlarmCause::syntax, "the name of a program has 63 characters at most");
   block.program = name;
   return at;
 }

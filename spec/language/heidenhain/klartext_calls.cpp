@@ -12,8 +12,8 @@ namespace {
 // Of subprograms in subprograms, and of programs in programs.
 constexpr std::size_t kDeepest = 19;
 
-void raise(Block& block, const char* number, const char* message, bool beyond = false) {
-  block.alarm = ReadAlarm{number, block.line, block.column, message, beyond};
+void raise(Block& block, AlarmCause cause, const char* message, bool beyond = false) {
+  block.alarm = ReadAlarm{cause, block.line, block.column, message, beyond};
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ void Calls::make_programs() {
 
 std::optional<TextPlace> Calls::next(Block& block, TextPlace at, TextPlace behind) {
   if (++blocks_ > most_blocks_) {
-    raise(block, "E_TOO_LONG", "calls and repeats make more blocks than are read here", true);
+    raise(block, AlarmCause::too_many_blocks, "calls and repeats make more blocks than are read here", true);
     return std::nullopt;
   }
   if (block.alarm) return behind;
@@ -75,9 +75,9 @@ std::optional<TextPlace> Calls::place_of_label(Block& block) {
   const Labels& labels = programs_[frames_.back().program].labels;
   const auto found = labels.find(block.label.view());
   if (found == labels.end())
-    raise(block, "E_LABEL_MISSING", "there is no such label in this program");
+    raise(block, AlarmCause::label_missing, "there is no such label in this program");
   else if (found->second.size() > 1)
-    raise(block, "E_LABEL_TWICE", "this label stands in the program more than once");
+    raise(block, AlarmCause::label_twice, "this label stands in the program more than once");
   else
     return found->second.front();
   return {};
@@ -94,9 +94,9 @@ TextPlace Calls::subprogram(Block& block, TextPlace behind) {
   const std::size_t program = frames_.back().program;
   if (std::ranges::any_of(
           frames_, [&](const Frame& frame) { return frame.program == program && frame.label == block.label.view(); }))
-    raise(block, "E_LABEL_RECURSION", "a subprogram calls itself");
+    raise(block, AlarmCause::label_recursion, "a subprogram calls itself");
   else if (depth(true) == kDeepest)
-    raise(block, "E_NESTING", "more than 19 subprograms in each other");
+    raise(block, AlarmCause::nesting, "more than 19 subprograms in each other");
   if (block.alarm) return behind;
   block.jumps = true;
   frames_.push_back({behind, program, std::string(block.label.view()), {}});
@@ -107,7 +107,7 @@ TextPlace Calls::repeat(Block& block, TextPlace at, TextPlace behind) {
   const std::optional<TextPlace> place = place_of_label(block);
   if (!place) return behind;
   if (place->offset > at.offset) {
-    raise(block, "E_UNSUPPORTED", "REP of a label behind its call is not supported", true);
+    raise(block, AlarmCause::not_supported, "REP of a label behind its call is not supported", true);
     return behind;
   }
   auto& repeats = frames_.back().repeats;
@@ -141,7 +141,8 @@ void Calls::join(TextPlace& behind) {
 TextPlace Calls::program(Block& block, TextPlace behind) {
   const std::string_view name = block.program.view();
   if (name.find_first_of("/\\:") != std::string_view::npos) {
-    raise(block, "E_NO_PROGRAM", "a program is called by its name alone; it stands beside this one");
+    raise(block, AlarmCause::called_program_missing,
+          "a program is called by its name alone; it stands beside this one");
     return behind;
   }
   const std::string key = program_key(name);
@@ -149,15 +150,15 @@ TextPlace Calls::program(Block& block, TextPlace behind) {
   const std::optional<std::size_t> called = find(key);
   const auto is_called = [&](const Frame& frame) { return frame.label.empty() && frame.program == called; };
   if (!called)
-    raise(block, "E_NO_PROGRAM", "there is no program that begins with BEGIN PGM and this name");
+    raise(block, AlarmCause::called_program_missing, "there is no program that begins with BEGIN PGM and this name");
   else if (std::ranges::any_of(frames_, is_called))
-    raise(block, "E_PROGRAM_RECURSION", "a program calls itself");
+    raise(block, AlarmCause::program_recursion, "a program calls itself");
   else if (!programs_[*called].ends)
-    raise(block, "E_NO_PROGRAM", "the program called has no END PGM");
+    raise(block, AlarmCause::called_program_missing, "the program called has no END PGM");
   else if (depth(false) == kDeepest)
-    raise(block, "E_NESTING", "more than 19 programs in each other");
+    raise(block, AlarmCause::nesting, "more than 19 programs in each other");
   else if (programs_[*called].units != main_.units)
-    raise(block, "E_UNSUPPORTED", "a program in other units than the main program is not supported", true);
+    raise(block, AlarmCause::not_supported, "a program in other units than the main program is not supported", true);
   if (block.alarm) return behind;
   frames_.push_back({behind, *called, {}, {}});
   return programs_[*called].begin;

@@ -66,23 +66,23 @@ BlockParser::Place BlockParser::place(const char* at) const {
                                            (start == text_.begin ? text_.mark : 0))};
 }
 
-const char* BlockParser::raise(Block& block, const char* at, const char* number, const char* message) {
+const char* BlockParser::raise(Block& block, const char* at, AlarmCause cause, const char* message) {
   const Place fault = place(at);
-  block.alarm = ReadAlarm{number, fault.line, fault.column, message};
+  block.alarm = ReadAlarm{cause, fault.line, fault.column, message};
   passed_over_ = true;
   return nullptr;
 }
 
 const char* BlockParser::refuse(Block& block, const char* at, const char* message) {
-  raise(block, at, "E_UNSUPPORTED", message);
+  raise(block, at, AlarmCause::not_supported, message);
   block.alarm->beyond = true;
   return nullptr;
 }
 
 const char* BlockParser::bad_word(Block& block, const char* at) {
-  if (at != text_.stop) return raise(block, at, "E_SYNTAX", "this word cannot be read here");
+  if (at != text_.stop) return raise(block, at, AlarmCause::syntax, "this word cannot be read here");
   while (at != text_.begin && is_blank(at[-1])) --at;
-  return raise(block, at, "E_SYNTAX", "the block ends too early");
+  return raise(block, at, AlarmCause::syntax, "the block ends too early");
 }
 
 const char* BlockParser::wide_gap(const char* at) {
@@ -109,7 +109,7 @@ const char* BlockParser::wide_gap(const char* at) {
 const char* BlockParser::finish(Block& block, const char* at) {
   if (at != text_.stop) return bad_word(block, at);
   if (fifth_function_ != nullptr)
-    return raise(block, fifth_function_, "E_TOO_MANY_M", "more than four M functions in the block");
+    return raise(block, fifth_function_, AlarmCause::too_many_functions, "more than four M functions in the block");
   return at;
 }
 
@@ -153,7 +153,7 @@ bool BlockParser::admits_any_byte(const char* statement) const {
 
 void BlockParser::refuse_long(Block& block, const char* statement) {
   block.statement = Statement::miscellaneous;
-  raise(block, statement, "E_SYNTAX", "a block longer than 65535 bytes");
+  raise(block, statement, AlarmCause::syntax, "a block longer than 65535 bytes");
   first_ = false;
 }
 
@@ -254,18 +254,20 @@ const char* BlockParser::check_vectors(Block& block, unsigned keys, const char* 
     return (vector[0].digits | vector[1].digits | vector[2].digits) == 0;
   };
   if (out_of_order_ != nullptr)
-    return raise(block, out_of_order_, "E_LN_ORDER", "the order is X Y Z, NX NY NZ, TX TY TZ, each once");
-  if ((keys & kCoordinates) != kCoordinates) return raise(block, initiator, "E_LN_COORD", "LN needs X, Y and Z");
+    return raise(block, out_of_order_, AlarmCause::vector_order, "the order is X Y Z, NX NY NZ, TX TY TZ, each once");
+  if ((keys & kCoordinates) != kCoordinates)
+    return raise(block, initiator, AlarmCause::vector_coordinates, "LN needs X, Y and Z");
   if ((block.has_normal && (keys & kNormal) != kNormal) ||
       (block.has_tool_vector && (keys & kToolVector) != kToolVector))
-    return raise(block, initiator, "E_VEC_INCOMPLETE", "a vector needs all three components");
+    return raise(block, initiator, AlarmCause::vector_incomplete, "a vector needs all three components");
   if (!block.has_normal && !block.has_tool_vector)
-    return raise(block, initiator, "E_SYNTAX", "LN needs a vector, NX NY NZ or TX TY TZ");
-  if (out_of_range_ != nullptr) return raise(block, out_of_range_, "E_VEC_RANGE", "a component beyond 9.99999999");
+    return raise(block, initiator, AlarmCause::syntax, "LN needs a vector, NX NY NZ or TX TY TZ");
+  if (out_of_range_ != nullptr)
+    return raise(block, out_of_range_, AlarmCause::vector_range, "a component beyond 9.99999999");
   if (block.has_normal && is_zero(block.normal))
-    return raise(block, normal_, "E_VEC_ZERO", "the vector has no direction");
+    return raise(block, normal_, AlarmCause::vector_zero, "the vector has no direction");
   if (block.has_tool_vector && is_zero(block.tool_vector))
-    return raise(block, tool_vector_, "E_VEC_ZERO", "the vector has no direction");
+    return raise(block, tool_vector_, AlarmCause::vector_zero, "the vector has no direction");
   return text_.stop;
 }
 

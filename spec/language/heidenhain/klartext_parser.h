@@ -70,7 +70,7 @@ class BlockParser {
     std::uint32_t column;
   };
   [[nodiscard]] Place place(const char* at) const;
-  const char* raise(Block& block, const char* at, const char* number, const char* message);
+  const char* raise(Block& block, const char* at, AlarmCause cause, const char* message);
   // E_UNSUPPORTED.
   const char* refuse(Block& block, const char* at, const char* message);
   // The same where the statement is one of those that have a name, else E_SYNTAX.

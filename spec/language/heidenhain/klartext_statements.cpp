@@ -122,7 +122,7 @@ const char* BlockParser::program(Block& block, const char* at) {
   if (at == nullptr) return bad_word(block, initiator);
   block.statement = begun != nullptr ? Statement::begin_program : Statement::end_program;
   if (block.statement == Statement::begin_program && !first_)
-    return raise(block, initiator, "E_SYNTAX", "BEGIN PGM stands only in the first block");
+    return raise(block, initiator, AlarmCause::syntax, "BEGIN PGM stands only in the first block");
   passed_over_ = true;
   if (at == text_.stop) return bad_word(block, at);
   const char* const name = at;
@@ -192,7 +192,7 @@ const char* BlockParser::tool_name(Block& block, const char* at) {
     at = quoted(block, at, name);
     if (at == nullptr) return nullptr;
     if (name.empty() || name.size() > kLongestName)
-      return raise(block, word, "E_SYNTAX", "a tool name has 1 to 32 characters");
+      return raise(block, word, AlarmCause::syntax, "a tool name has 1 to 32 characters");
     block.tool = ToolWord::name;
     block.tool_name = name;
     return at;

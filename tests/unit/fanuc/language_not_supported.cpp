@@ -12,6 +12,7 @@
 #include "spec/language/fanuc/not_supported.h"
 #include "spec/language/fanuc/program_reader.h"
 #include "spec/language/fanuc/without_effect.h"
+#include "tests/support/usual_number.h"
 #include "tests/unit/fanuc/fast_run.h"
 #include "tests/unit/model_run.h"
 
@@ -32,7 +33,7 @@ std::string said(std::string_view text) {
   const std::string message = name == nullptr ? "" : name;
   if (block.alarm) {
     EXPECT_EQ(block.alarm->beyond, name != nullptr);
-    return std::string(block.alarm->number.view()) + '@' + std::to_string(block.alarm->column) + ' ' + message;
+    return toolcomp::test::usual_number(block.alarm->cause) + '@' + std::to_string(block.alarm->column) + ' ' + message;
   }
   const spec::Word* const word = spec::word_not_supported(block);
   EXPECT_EQ(word == nullptr, name == nullptr);

@@ -9,6 +9,7 @@
 #include "model/fanuc/tool_posture_control/tool_posture_control.h"
 #include "model/kinematics/pair_choice.h"
 #include "spec/language/setup_format.h"
+#include "tests/support/usual_number.h"
 
 namespace toolcomp::test {
 
@@ -60,7 +61,7 @@ struct PostureMachine {
     try {
       static_cast<void>(to(start, end));
     } catch (const model::Alarm& alarm) {
-      return std::string(alarm.number.view());
+      return toolcomp::test::usual_number(alarm.cause);
     }
     return "none";
   }

@@ -14,6 +14,7 @@
 #include "spec/language/heidenhain/joined_program.h"
 #include "spec/language/heidenhain/klartext_reader.h"
 #include "spec/language/input_error.h"
+#include "tests/support/usual_number.h"
 
 namespace {
 
@@ -47,7 +48,7 @@ std::string order(std::unique_ptr<ByteSource> text, const ReaderOptions& options
     if (call && !block.alarm) continue;
     shown += (shown.empty() ? "" : " ") + std::to_string(block.line);
     if (block.alarm)
-      return shown + '!' + std::string(block.alarm->number.view()) + (block.alarm->beyond ? "?" : "") + '@' +
+      return shown + '!' + toolcomp::test::usual_number(block.alarm->cause) + (block.alarm->beyond ? "?" : "") + '@' +
              std::to_string(block.alarm->line) + ':' + std::to_string(block.alarm->column);
   }
   return shown;
@@ -191,7 +192,7 @@ TEST(KlartextCalls, WhatMakesTooManyBlocksEnds) {
   Block block;
   while (reader.next(block) && !block.alarm) ++blocks;
   ASSERT_TRUE(block.alarm);
-  EXPECT_EQ(block.alarm->number, Name("E_TOO_LONG"));
+  EXPECT_EQ(block.alarm->cause, toolcomp::spec::AlarmCause::too_many_blocks);
   EXPECT_TRUE(block.alarm->beyond);
   EXPECT_EQ(blocks, 1004U) << "a thousand, three lines, and an empty one";
   EXPECT_FALSE(reader.next(block));

@@ -13,6 +13,7 @@
 
 #include "fuzz/targets/pieces.h"
 #include "spec/language/input_error.h"
+#include "tests/support/usual_number.h"
 
 namespace {
 
@@ -40,7 +41,7 @@ std::vector<std::string> read(std::string_view text, const Setup& setup = kSetup
   while (reader.next(block)) {
     std::string shown = std::to_string(block.line) + ": ";
     if (block.alarm)
-      shown += "!" + std::string(block.alarm->number.view()) + "@" + std::to_string(block.alarm->line) + ":" +
+      shown += "!" + toolcomp::test::usual_number(block.alarm->cause) + "@" + std::to_string(block.alarm->line) + ":" +
                std::to_string(block.alarm->column);
     else
       shown += to_string(block);

@@ -7,6 +7,7 @@
 
 #include "spec/language/heidenhain/klartext_reader.h"
 #include "spec/language/heidenhain/unsupported.h"
+#include "tests/support/usual_number.h"
 
 namespace {
 
@@ -27,8 +28,8 @@ std::string said(std::string_view text) {
   const char* const name = klartext::not_supported(block);
   const std::string message = name == nullptr ? "" : name;
   if (!block.alarm) return name == nullptr ? "read" : "passed over: " + message;
-  EXPECT_EQ(block.alarm->beyond, block.alarm->number == Name("E_UNSUPPORTED"));
-  return std::string(block.alarm->number.view()) + '@' + std::to_string(block.alarm->line) + ':' +
+  EXPECT_EQ(block.alarm->beyond, block.alarm->cause == toolcomp::spec::AlarmCause::not_supported);
+  return toolcomp::test::usual_number(block.alarm->cause) + '@' + std::to_string(block.alarm->line) + ':' +
          std::to_string(block.alarm->column) + ' ' + message;
 }
 
