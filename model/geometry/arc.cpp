@@ -6,8 +6,6 @@
 #include "model/geometry/plane_vector.h"
 
 namespace toolcomp::model {
-namespace {}  // namespace
-
 Real swept_angle(const Real& sine, const Real& cosine, Sign side) {
   const Sign ahead = cosine.sign();
   if (side == Sign::zero) return ahead == Sign::negative ? 180 : 360;
@@ -18,7 +16,8 @@ Real swept_angle(const Real& sine, const Real& cosine, Sign side) {
 }
 
 ArcGeometry arc_by_center(Recorder& recorder, const PlanePoint& start, const PlanePoint& travel,
-                          const PlanePoint& to_center, spec::ArcDirection direction) {
+                          const PlanePoint& to_center, spec::ArcDirection direction,
+                          const Rational& allowed_difference) {
   ArcGeometry arc;
   arc.center = start + to_center;
   const bool closed = travel[0].sign() == Sign::zero && travel[1].sign() == Sign::zero;
@@ -48,22 +47,25 @@ ArcGeometry arc_by_center(Recorder& recorder, const PlanePoint& start, const Pla
   // a spiral whose radius grows evenly with the angle.
   if (recorder.decide(Clause::fanuc_program_arc_spiral, growth, end_radius2 + start_radius2) != Sign::zero)
     arc.radius = {sqrt(start_radius2), sqrt(end_radius2)};
+  // fanuc.program.arc-radii: With I J K, a difference between the distances of start and end from the centre of more
+  // than 3410 raises PS0020. Where 3410 is 0 or not given, no difference does.
+  if (arc.radius && allowed_difference != 0) {
+    const Real difference = sqrt(square(arc.radius->second - arc.radius->first));
+    if (recorder.decide(Clause::fanuc_program_arc_radii, difference - allowed_difference, allowed_difference) ==
+        Sign::positive)
+      throw Alarm(AlarmCause::arc_radii_differ);
+  }
   return arc;
 }
 
 ArcGeometry arc_by_radius(Recorder& recorder, const PlanePoint& start, const PlanePoint& travel, const Real& radius,
                           spec::ArcDirection direction) {
   const Real chord2 = dot(travel, travel);
-  // fanuc.program.arc-radius-without-chord: R with an end that is the start, and R0, raise PS0023: full circles need I
-  // J K.
-  if (chord2.sign() == Sign::zero || radius.sign() == Sign::zero)
-    raise(recorder, Clause::fanuc_program_arc_radius_without_chord, AlarmCause::arc_radius_too_short);
-
   // The centre lies on the perpendicular bisector, at height h over the chord: h² = radius² − chord²/4.
   const Real radius2 = square(radius);
   const Real four_h2 = 4 * radius2 - chord2;
-  // fanuc.program.arc-radius: R gives the radius. An arc exists where R is at least half the chord; a smaller one
-  // raises PS0023.
+  // fanuc.program.arc-radius: R gives the radius. An arc exists where R is at least half the chord; a smaller one,
+  // 0 among them, raises PS0020.
   const Sign reach = recorder.decide(Clause::fanuc_program_arc_radius, four_h2, 4 * radius2 + chord2);
   if (reach == Sign::negative) throw Alarm(AlarmCause::arc_radius_too_short);
   if (reach == Sign::positive && four_h2.sign() != Sign::positive) throw NotFinite();

@@ -19,11 +19,14 @@ struct ArcGeometry {
 
 // `travel`: from start to end. It is asked for, not the end: where the start is irrational it may still be rational.
 
-// By the vector from start to centre (I J K), not zero. Without travel: a full circle.
+// By the vector from start to centre (I J K), not zero. Without travel: a full circle. Throws Alarm where the radii
+// differ by more than `allowed_difference`, setup units; 0: they may differ by anything.
 ArcGeometry arc_by_center(Recorder& recorder, const PlanePoint& start, const PlanePoint& travel,
-                          const PlanePoint& to_center, spec::ArcDirection direction);
+                          const PlanePoint& to_center, spec::ArcDirection direction,
+                          const Rational& allowed_difference);
 
-// By R: positive for the arc up to a half circle, negative for the larger one. Throws Alarm PS0023 where there is none.
+// By R: positive for the arc up to a half circle, negative for the larger one; there is a travel. Throws Alarm where
+// there is no such arc.
 ArcGeometry arc_by_radius(Recorder& recorder, const PlanePoint& start, const PlanePoint& travel, const Real& radius,
                           spec::ArcDirection direction);
 

@@ -20,6 +20,10 @@ Alarm Control::plan_arc(const Words& words, BlockArc& arc, bool geometry, bool a
     if ((words.axes() & bit(axis)) != 0) end[i] = target(words, axis) + positions.tool_offset()[axis];
   }
   if (!end[0].in_range() || !end[1].in_range()) return AlarmCause::position_range;
+  if (!runs_arc(words, start, end)) {
+    arc.event.reset();
+    return AlarmCause::none;
+  }
   modal.read_arc(words, units, arc.words);
   const auto& [clockwise, by_radius, to_center, radius] = arc.words;
   ArcGeometry made;
@@ -33,6 +37,7 @@ Alarm Control::plan_arc(const Words& words, BlockArc& arc, bool geometry, bool a
   else
     a = by_radius ? center_by_radius(start, end, radius, clockwise, made.center)
                   : center_by_center(start, to_center, made.center);
+  if (!a && !by_radius && !in_start) a = check_radii(start, end, to_center);
   if (a) return a;
   // One that is there is not cleared: what is not present in it is not looked at.
   spec::Arc<double>& event = arc.event ? *arc.event : arc.event.emplace();

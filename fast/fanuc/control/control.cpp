@@ -14,6 +14,9 @@ Control::Control(const spec::Setup& setup, EventSink& sink, std::uint32_t sample
       attitude(setup, kinematics, axes, units, modal, positions, sink, samples),
       memory(setup),
       cutter_value(setup, memory),
+      refuses_repeats(setup.bit(3403, 6)),
+      line_without_center_(!setup.bit(3403, 5, true)),
+      radii_apart_(Count::of(setup.parameter(3410).value_or(spec::Decimal()))),
       numbers_(setup),
       sink_(sink) {}
 

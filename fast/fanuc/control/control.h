@@ -68,6 +68,7 @@ struct Control {
   CutterValue cutter_value;
   // Of the next block: the interpreter, or a stage that awaits usual ones.
   BlockTaker* taker = nullptr;
+  const bool refuses_repeats;  // 3403#6: an address twice in a block
   // The block.
   std::uint64_t line = 0;
   std::optional<std::uint64_t> n;
@@ -88,6 +89,19 @@ struct Control {
   [[nodiscard]] Count travel(const Words& words, std::size_t axis) const {
     return positions.travel(words, axis, units, modal.incremental());
   }
+  // Whether a block that is an arc by its words runs one: R with the end in the start is an arc of 0 degrees, and
+  // without R and I J K CIR may make it a line.
+  [[nodiscard]] bool runs_arc(const Words& words, const std::array<Count, 2>& start,
+                              const std::array<Count, 2>& end) const {
+    if (words.has('R')) return !(start == end);
+    return !line_without_center_ || words.has_any(Words::set_of("IJK"));
+  }
+  // Of an arc about a centre: its radii may differ by no more than 3410.
+  [[nodiscard]] Alarm check_radii(const std::array<Count, 2>& start, const std::array<Count, 2>& end,
+                                  const std::array<Count, 2>& to_center) const {
+    return limits_radii() ? fast::check_radii(start, end, to_center, radii_apart_) : AlarmCause::none;
+  }
+  [[nodiscard]] bool limits_radii() const { return !radii_apart_.is_zero(); }
   // The alarms of an arc, and what its event has; a block that is none has no event. Without `geometry` it has its
   // centre, but neither sweep nor radii. `about_start`: an arc about its start is for the stage to refuse.
   [[nodiscard]] Alarm plan_arc(const Words& words, BlockArc& arc, bool geometry, bool about_start) const;
@@ -110,6 +124,8 @@ struct Control {
   void send_alarm(AlarmCause cause, const char* more, std::uint64_t at, const std::optional<std::uint64_t>& n_at);
   void send_end(spec::EventKind kind, std::uint64_t at, const std::optional<std::uint64_t>& n_at);
 
+  bool line_without_center_;  // 3403#5 = 0
+  Count radii_apart_;         // 3410; 0: by anything
   spec::AlarmNumbers numbers_;
   EventSink& sink_;
   Event notice_;  // alarms and settings

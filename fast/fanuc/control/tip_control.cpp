@@ -127,7 +127,7 @@ bool ToolAttitude::asks_direction(const Words& words, const std::array<Count, 3>
       read_direction(words, commanded_);
     return true;
   }
-  return !lean_angle_.is_zero() && (!(from == positions_.programmed_xyz()) || modal_.is_arc(words));
+  return !lean_angle_.is_zero() && !(from == positions_.programmed_xyz());
 }
 
 const Direction& ToolAttitude::leaned(const Words& words, const std::array<Count, 3>& from) {
@@ -138,16 +138,16 @@ const Direction& ToolAttitude::leaned(const Words& words, const std::array<Count
 // By Q, toward the travel; in an arc toward its tangent at the end.
 bool ToolAttitude::lean(const Words& words, const std::array<Count, 3>& from, Direction& to_direction) const {
   const std::array<Count, 3> to = positions_.programmed_xyz();
-  if (!modal_.is_arc(words)) {
+  const std::array<std::size_t, 2> in{in_plane(modal_.plane(), 0), in_plane(modal_.plane(), 1)};
+  const std::array<Count, 2> start{from[in[0]], from[in[1]]};
+  const std::array<Count, 2> end{to[in[0]], to[in[1]]};
+  if (!modal_.is_arc(words) || start == end) {
     std::array<Int128, 3> travel{};
     for (std::size_t i = 0; i < 3; ++i) travel[i] = to[i].units() - from[i].units();
     return fast::lean(kinematics_, commanded_, travel, lean_angle_, to_direction);
   }
   ArcWords arc;
   modal_.read_arc(words, units_, arc);
-  const std::array<std::size_t, 2> in{in_plane(modal_.plane(), 0), in_plane(modal_.plane(), 1)};
-  const std::array<Count, 2> start{from[in[0]], from[in[1]]};
-  const std::array<Count, 2> end{to[in[0]], to[in[1]]};
   const std::array<DoubleDouble, 2> center = fine_center(start, end, arc);
   std::array<DoubleDouble, 2> radius;
   for (std::size_t i = 0; i < 2; ++i) radius[i] = to_double_double((end[i] - start[i]).units()) - center[i];

@@ -52,7 +52,7 @@ inline bool UsualMoveWords::begin() {
   const ModalState& modal = control_.modal;
   const std::array<std::size_t, 2>& axis = modal.plane_axis();
   if (modal.motion() < 10 || modal.by_vector() || axis[0] == spec::Axes::kNone || axis[1] == spec::Axes::kNone ||
-      !usual_words_may_come(control_))
+      !usual_words_may_come(control_) || control_.limits_radii())
     return false;
   std::uint32_t letters = UsualWords::set_of("FGR");
   for (std::size_t i = 0; i < 2; ++i) {

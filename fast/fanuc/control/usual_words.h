@@ -18,8 +18,9 @@ namespace toolcomp::fast {
 // Words count as they are written, the positions of the linear axes are theirs, and no value waits to come into force.
 inline bool usual_positions_may_come(const Control& control) {
   const AxisPositions& positions = control.positions;
-  return !control.cutter_value.takes_edited() && !positions.length().pending() && control.units.plain() &&
-         positions.rounded() == 0 && positions.tool_offset().live() == 0 && positions.stale() == 0;
+  return !control.refuses_repeats && !control.cutter_value.takes_edited() && !positions.length().pending() &&
+         control.units.plain() && positions.rounded() == 0 && positions.tool_offset().live() == 0 &&
+         positions.stale() == 0;
 }
 // Nothing else of the modal state needs a look before such a block.
 inline bool usual_words_may_come(const Control& control) {

@@ -350,6 +350,7 @@ Alarm CutterStage<Compensation>::refuse(const Words& words, CutterBlock& block, 
   for (std::size_t i = 0; i < 2; ++i)
     block.end[i] = (block.named >> i & 1U) != 0 ? control_.target(words, plane[i]) : block.start[i];
   std::array<double, 2> center{};
+  if (!control_.runs_arc(words, block.start, block.end)) return placed;
   const Alarm a = read_arc(words, block, center);
   return a ? a : placed;
 }
@@ -362,7 +363,8 @@ Alarm CutterStage<Compensation>::read_arc(const Words& words, CutterBlock& block
   // An arc about its start is refused by the stage.
   if (kIsC<Compensation> && block.to_center[0].is_zero() && block.to_center[1].is_zero()) [[unlikely]]
     if (block.side != CutterSide::off && block.d != 0 && words.has_any(kDirectionLetters)) return AlarmCause::none;
-  return center_by_center(block.start, block.to_center, center);
+  const Alarm a = center_by_center(block.start, block.to_center, center);
+  return a ? a : control_.check_radii(block.start, block.end, block.to_center);
 }
 
 template <class Compensation>
@@ -441,7 +443,7 @@ Alarm CutterStage<Compensation>::plain_block(const Words& words) {
     return refuse(words, block, placed);
   block.end[0] = positions.programmed()[plane[0]];
   block.end[1] = positions.programmed()[plane[1]];
-  if (arc) return take_arc(words, block);
+  if (arc && control.runs_arc(words, block.start, block.end)) return take_arc(words, block);
   // What the stage makes of a line is begun early, while the rest of the block is filled in.
   const bool moves = !(block.start[0] == block.end[0] && block.start[1] == block.end[1]);
   if (block.named != 0 && moves) [[likely]] {

@@ -113,6 +113,8 @@ void Interpreter::block(const spec::Block& block) {
     return;
   }
   const Words words(block, control_.axes.letters);
+  if (control_.refuses_repeats && !words.unsupported() && repeats(block)) [[unlikely]]
+    return raise(AlarmCause::address_repeated);
   if (on_ != nullptr && !on_->on()) [[unlikely]]
     on_ = nullptr;
   // Of an edited value or a length offset taken away: any block with words may bring it.

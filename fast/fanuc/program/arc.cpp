@@ -86,12 +86,31 @@ Alarm center_by_radius(const std::array<Count, 2>& start, const std::array<Count
   const auto square = [](const Count& value) { return static_cast<Int128>(value.small()) * value.small(); };
   const Int128 chord_square = square(chord[0]) + square(chord[1]);
   const Int128 height_square = 4 * square(radius) - chord_square;
-  if (chord_square == 0 || height_square < 0) return AlarmCause::arc_radius_too_short;
+  if (height_square < 0) return AlarmCause::arc_radius_too_short;
   const double ratio = std::sqrt(static_cast<double>(height_square) / static_cast<double>(chord_square));
   const double side = clockwise == (radius.small() < 0) ? 0.5 * ratio : -0.5 * ratio;
   center[0] = start[0].nearest() + (0.5 * chord[0].nearest() - chord[1].nearest() * side);
   center[1] = start[1].nearest() + (0.5 * chord[1].nearest() + chord[0].nearest() * side);
   return AlarmCause::none;
+}
+
+Alarm check_radii(const std::array<Count, 2>& start, const std::array<Count, 2>& end,
+                  const std::array<Count, 2>& to_center, const Count& most) {
+  Wide squares[2];
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Wide from((-to_center[i]).units());
+    const Wide to((end[i] - start[i] - to_center[i]).units());
+    squares[0] = squares[0] + from * from;
+    squares[1] = squares[1] + to * to;
+  }
+  // A full circle has one radius.
+  if (start == end) return AlarmCause::none;
+  // With A >= B: sqrt A - sqrt B > L where A - B - L^2 > 0 and (A - B - L^2)^2 > 4 L^2 B.
+  if ((squares[0] - squares[1]).sign() < 0) std::swap(squares[0], squares[1]);
+  const Wide limit = Wide(most.units()) * Wide(most.units());
+  const Wide excess = squares[0] - squares[1] - limit;
+  if (excess.sign() <= 0) return AlarmCause::none;
+  return (excess * excess - Wide(4) * limit * squares[1]).sign() > 0 ? AlarmCause::arc_radii_differ : AlarmCause::none;
 }
 
 Alarm arc_by_center(const std::array<Count, 2>& start, const std::array<Count, 2>& end,
@@ -126,7 +145,6 @@ Alarm arc_by_radius(const std::array<Count, 2>& start, const std::array<Count, 2
                     bool clockwise, ArcGeometry& arc) {
   const std::array<Int128, 2> chord{(end[0] - start[0]).units(), (end[1] - start[1]).units()};
   const Wide chord_square = Wide(chord[0]) * Wide(chord[0]) + Wide(chord[1]) * Wide(chord[1]);
-  if (chord_square.sign() == 0) return AlarmCause::arc_radius_too_short;
   // 4 h^2 = 4 R^2 - chord^2, h the distance of the centre from the chord.
   const Wide height_square = Wide(4) * Wide(radius.units()) * Wide(radius.units()) - chord_square;
   if (height_square.sign() < 0) return AlarmCause::arc_radius_too_short;

@@ -54,12 +54,16 @@ inline Alarm center_by_center(const std::array<Count, 2>& start, const std::arra
 Alarm center_by_radius(const std::array<Count, 2>& start, const std::array<Count, 2>& end, const Count& radius,
                        bool clockwise, std::array<double, 2>& center);
 
-// The arc from `start` to `end` round start + `to_center`. PS0023 where `to_center` is zero.
+// The alarm where the distances of start and end from start + `to_center` differ by more than `most`, which is not 0.
+Alarm check_radii(const std::array<Count, 2>& start, const std::array<Count, 2>& end,
+                  const std::array<Count, 2>& to_center, const Count& most);
+
+// The arc from `start` to `end` round start + `to_center`; the alarm where `to_center` is zero.
 Alarm arc_by_center(const std::array<Count, 2>& start, const std::array<Count, 2>& end,
                     const std::array<Count, 2>& to_center, bool clockwise, ArcGeometry& arc);
 
 // The arc from `start` to `end` of the given radius: at most 180 degrees if it is positive, the larger one if negative.
-// PS0023 where there is none, or where start and end are the same.
+// The alarm where there is none; start and end differ.
 Alarm arc_by_radius(const std::array<Count, 2>& start, const std::array<Count, 2>& end, const Count& radius,
                     bool clockwise, ArcGeometry& arc);
 

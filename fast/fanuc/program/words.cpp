@@ -44,6 +44,69 @@ bool takes_letters(std::uint64_t tenths) {
   return tenths == 40 || tenths == 100 || tenths == 50 || tenths == 51 || tenths == 220 || tenths == 501;
 }
 
+constexpr std::uint64_t kNoCode = ~std::uint64_t{0};
+// A code in tenths; kNoCode where it has more decimals or digits.
+std::uint64_t tenths_of(const spec::Decimal& value) {
+  std::uint64_t tenths = value.digits;
+  unsigned decimals = value.decimals;
+  while (decimals > 1 && tenths % 10 == 0) {
+    tenths /= 10;
+    --decimals;
+  }
+  if (decimals > 1 || tenths > 9999) return kNoCode;
+  return decimals == 0 ? 10 * tenths : tenths;
+}
+
+// The group of a code of it, in tenths; kGroups for any other.
+std::size_t group_of(std::uint64_t tenths) {
+  switch (tenths) {
+    case 0:
+    case 10:
+    case 20:
+    case 30:
+      return Words::kMotion;
+    case 170:
+    case 180:
+    case 190:
+      return Words::kPlane;
+    case 200:
+    case 210:
+      return Words::kUnits;
+    case 400:
+    case 410:
+    case 412:
+    case 413:
+    case 416:
+    case 420:
+    case 422:
+    case 426:
+      return Words::kCompensation;
+    case 430:
+    case 434:
+    case 435:
+    case 440:
+    case 490:
+      return Words::kLength;
+    case 540:
+    case 550:
+    case 560:
+    case 570:
+    case 541:
+    case 580:
+    case 590:
+      return Words::kWorkpiece;
+    case 900:
+    case 910:
+      return Words::kDistance;
+    case 930:
+    case 940:
+    case 950:
+      return Words::kFeedMode;
+    default:
+      return is_one_shot(tenths) ? Words::kOneShot : Words::kGroups;
+  }
+}
+
 }  // namespace
 
 void Words::read_codes(const spec::Block& block) {
@@ -60,86 +123,45 @@ void Words::g_word(const spec::Decimal& value) {
     return;
   }
   plain_ = false;
-  std::uint64_t tenths = value.digits;
-  unsigned decimals = value.decimals;
-  while (decimals > 1 && tenths % 10 == 0) {
-    tenths /= 10;
-    --decimals;
-  }
-  if (decimals > 1 || tenths > 9999) {
+  const std::uint64_t tenths = tenths_of(value);
+  if (tenths == kNoCode)
     unknown_ = true;
-    return;
-  }
-  if (decimals == 0) tenths *= 10;
-  set_code(tenths);
+  else
+    set_code(tenths);
 }
 
 void Words::set_code(std::uint64_t tenths) {
-  std::size_t group = kGroups;
-  switch (tenths) {
-    case 0:
-    case 10:
-    case 20:
-    case 30:
-      group = kMotion;
-      break;
-    case 170:
-    case 180:
-    case 190:
-      group = kPlane;
-      break;
-    case 200:
-    case 210:
-      group = kUnits;
-      break;
-    case 400:
-    case 410:
-    case 412:
-    case 413:
-    case 416:
-    case 420:
-    case 422:
-    case 426:
-      group = kCompensation;
-      break;
-    case 430:
-    case 434:
-    case 435:
-    case 440:
-    case 490:
-      group = kLength;
-      break;
-    case 540:
-    case 550:
-    case 560:
-    case 570:
-    case 541:
-    case 580:
-    case 590:
-      group = kWorkpiece;
-      break;
-    case 900:
-    case 910:
-      group = kDistance;
-      break;
-    case 930:
-    case 940:
-    case 950:
-      group = kFeedMode;
-      break;
-    default:
-      data_letters_ = data_letters_ || takes_letters(tenths);
-      high_speed_ = high_speed_ || tenths == 50;
-      spindle_ = spindle_ || tenths == 960 || tenths == 970 || tenths == 1600;
-      if (is_without_effect(tenths)) return;
-      if (!is_one_shot(tenths)) {
-        if (!unknown_) unknown_code_ = tenths;
-        unknown_ = true;
-        return;
-      }
-      group = kOneShot;
+  const std::size_t group = group_of(tenths);
+  if (group < kOneShot || group == kFeedMode) {
+    code_[group] = static_cast<Code>(tenths);
+    return;
   }
-  code_[group] = static_cast<Code>(tenths);
+  data_letters_ = data_letters_ || takes_letters(tenths);
+  high_speed_ = high_speed_ || tenths == 50;
+  spindle_ = spindle_ || tenths == 960 || tenths == 970 || tenths == 1600;
+  if (is_without_effect(tenths)) return;
+  if (group == kOneShot) {
+    code_[kOneShot] = static_cast<Code>(tenths);
+    return;
+  }
+  if (!unknown_) unknown_code_ = tenths;
+  unknown_ = true;
+}
+
+bool repeats(const spec::Block& block) {
+  std::uint32_t letters = 0;
+  std::uint32_t groups = 0;
+  for (const spec::Word& word : block.words()) {
+    if (word.address == 'M' || word.address == 'N' || word.address == 'O') continue;
+    const bool code = word.address == 'G';
+    const std::size_t place = code ? group_of(tenths_of(word.value)) : static_cast<std::size_t>(word.address - 'A');
+    if (code && place == Words::kGroups) continue;
+    std::uint32_t& seen = code ? groups : letters;
+    const std::uint32_t mark = std::uint32_t{1} << place;
+    if ((seen & mark) != 0) return true;
+    seen |= mark;
+  }
+  return false;
 }
 
 bool Words::writes_origin() const {
@@ -154,7 +176,8 @@ bool Words::refused_in_space() const {
 
 std::size_t Words::workpiece() const {
   const Code code = code_[kWorkpiece];
-  if (code != 541) return static_cast<std::size_t>((code - 540) / 10);
+  const bool additional = code == 541 || (code == 540 && has('P') && !takes_p());
+  if (!additional) return static_cast<std::size_t>((code - 540) / 10);
   const std::uint32_t number = has('P') ? whole_number((*this)['P'], spec::kAdditionalWorkpieces) : 1;
   return number == 0 || number > spec::kAdditionalWorkpieces ? kNoSystem : std::size_t{5} + number;
 }
@@ -168,6 +191,10 @@ void Words::m_word(const spec::Decimal& value) {
     case 2:
     case 30:
       end_ = true;
+      break;
+    case 98:
+    case 99:
+      calls_ = true;
       break;
     default:
       break;

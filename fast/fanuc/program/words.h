@@ -40,6 +40,9 @@ struct AxisLetters {
   std::uint32_t others = 0;                          // of them those that positions() goes through
 };
 
+// An address other than G, M, N and O stands twice in the block, or two codes of one group do.
+bool repeats(const spec::Block& block);
+
 // A block taken apart. Of several codes of a group, and of several words of one letter, the last one counts.
 // Points into the block it was made from.
 class Words {
@@ -71,8 +74,8 @@ class Words {
   [[nodiscard]] bool refused_in_space() const;
   // G52, G92.
   [[nodiscard]] bool shifts_coordinates() const { return code_[kOneShot] == 520 || code_[kOneShot] == 920; }
-  // The workpiece system that G54 to G59 or G54.1 P selects: 0 to 5, from 6 on; kNoSystem where P names none. Only
-  // where there is such a code.
+  // The workpiece system that G54 to G59, G54.1 P or G54 P selects: 0 to 5, from 6 on; kNoSystem where P names none.
+  // Only where there is such a code.
   static constexpr std::size_t kNoSystem = ~std::size_t{0};
   [[nodiscard]] std::size_t workpiece() const;
   [[nodiscard]] bool has(char letter) const { return (letters_ >> (letter - 'A') & 1U) != 0; }
@@ -115,6 +118,10 @@ class Words {
   // Branches that are foretold: a place in code_ that is looked up would keep whoever reads the codes waiting.
   void set_code(std::uint64_t tenths);
   void m_word(const spec::Decimal& value);
+  // P belongs to a code or an M98 or M99 of the block.
+  [[nodiscard]] bool takes_p() const {
+    return data_letters_ || calls_ || code_[kOneShot] == 300 || starts_tip_control();
+  }
 
   const AxisLetters& axis_letters_;
   std::array<Code, kGroups> code_;
@@ -125,6 +132,7 @@ class Words {
   std::uint64_t unknown_code_ = 0;
   bool data_letters_ = false;
   bool high_speed_ = false;  // G05
+  bool calls_ = false;       // M98, M99
   bool spindle_ = false;     // G96, G97, G160
   bool any_ = false;
   bool plain_ = true;

@@ -177,11 +177,15 @@ class Reader {
   }
 
  private:
+  // fanuc.program.last-code-of-group: Of several G codes of one modal group in a block the last counts. G04 G10 G28
+  // G29 G30 G30.1 G37 G39 G45 to G48 G52 G53 and G92 exclude each other in the same way.
+  void repeat() {
+    recorder_.reach(Clause::fanuc_program_last_code_of_group);
+    codes_.repeats = true;
+  }
   template <class Code>
   bool group(std::optional<Code>& slot, Code code) {
-    // fanuc.program.last-code-of-group: Of several G codes of one modal group in a block the last counts. G04 G10 G28
-    // G29 G30 G30.1 G37 G39 G45 to G48 G52 G53 and G92 exclude each other in the same way.
-    if (slot) recorder_.reach(Clause::fanuc_program_last_code_of_group);
+    if (slot) repeat();
     slot = code;
     return true;
   }
@@ -193,7 +197,7 @@ class Reader {
     return true;
   }
   bool one_shot(OneShot code) {
-    if (codes_.one_shot != OneShot::none) recorder_.reach(Clause::fanuc_program_last_code_of_group);
+    if (codes_.one_shot != OneShot::none) repeat();
     codes_.one_shot = code;
     return true;
   }
@@ -262,7 +266,10 @@ Words::Words(const spec::Block& block, Recorder& recorder) {
     const spec::Decimal*& slot = word_[static_cast<std::size_t>(word.address - 'A')];
     // fanuc.program.last-word-of-address: Of several words with one address in a block the last counts; G and M words
     // all count.
-    if (slot != nullptr) recorder.reach(Clause::fanuc_program_last_word_of_address);
+    if (slot != nullptr) {
+      recorder.reach(Clause::fanuc_program_last_word_of_address);
+      repeats_ = true;
+    }
     slot = &word.value;
   }
 }
@@ -282,6 +289,10 @@ Codes read_codes(const spec::Block& block, const Words& words, const spec::Setup
       codes.auxiliary = true;
     }
   }
+  // fanuc.program.address-repeated: With AD2 (3403#6) = 1 a block in which an address other than G, M, N and O stands
+  // twice, or two G codes of one group, raises PS5074.
+  if ((words.repeats() || codes.repeats) && setup.bit(3403, 6))
+    raise(recorder, Clause::fanuc_program_address_repeated, AlarmCause::address_repeated);
   const bool side = codes.compensation && is_cutter_side(*codes.compensation);
   // fanuc.cutter-c.three-dimensional: G41 or G42 in a block with all of I, J and K is three-dimensional tool
   // compensation. That section is not built: PS0010, as of a code that is not supported.
@@ -297,6 +308,12 @@ Codes read_codes(const spec::Block& block, const Words& words, const spec::Setup
     raise(recorder, Clause::fanuc_memory_g10_kind, AlarmCause::g10_kind);
   codes.h = offset_number(words.find('H'), setup, recorder);
   codes.d = offset_number(words.find('D'), setup, recorder);
+  // fanuc.program.additional-system: G54 with a P is G54.1 with that P, where P belongs to no other code of the block
+  // (G04 G05 G10 G30 G43.4 G43.5 M98 M99).
+  const bool taken = codes.letters_are_data || codes.calls || codes.returns ||
+                     codes.one_shot == OneShot::other_reference || codes.length == LengthCode::tip_control ||
+                     codes.length == LengthCode::tool_direction;
+  if (codes.workpiece == std::size_t{0} && words.has('P') && !taken) codes.workpiece = kAdditional;
   if (codes.workpiece == kAdditional) codes.workpiece = additional_system(words, recorder);
   return codes;
 }

@@ -84,8 +84,11 @@ class Words {
   // Null where the block has no such word. G, M, N and O are not kept.
   [[nodiscard]] const spec::Decimal* find(char address) const { return word_[static_cast<std::size_t>(address - 'A')]; }
   [[nodiscard]] bool has(char address) const { return find(address) != nullptr; }
+  // One of them stands twice.
+  [[nodiscard]] bool repeats() const { return repeats_; }
 
  private:
+  bool repeats_ = false;
   std::array<const spec::Decimal*, 26> word_{};
 };
 
@@ -112,6 +115,7 @@ struct Codes {
   bool calls = false;             // M98
   bool returns = false;           // M99
   bool any = false;               // a word other than O
+  bool repeats = false;           // two codes of one group
 };
 
 // Throws Alarm: PS0010 for the first code that is not supported, PS0030 for an offset number beyond the memory and for

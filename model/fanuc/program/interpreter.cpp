@@ -3,6 +3,7 @@
 
 #include "model/basis/alarm.h"
 #include "model/geometry/arc.h"
+#include "model/geometry/plane_vector.h"
 
 namespace toolcomp::model {
 namespace {
@@ -39,7 +40,12 @@ spec::MoveType straight(Motion motion) {
 }  // namespace
 
 Interpreter::Interpreter(const spec::Setup& setup, Recorder& recorder)
-    : setup_(setup), recorder_(recorder), axes_(setup.axes), numbers_(setup, recorder), work_(setup) {
+    : setup_(setup),
+      recorder_(recorder),
+      axes_(setup.axes),
+      numbers_(setup, recorder),
+      work_(setup),
+      allowed_difference_(setup.parameter(3410) ? plain(*setup.parameter(3410)) : Rational(0)) {
   const auto start = by_axis(setup.position, axes_);
   for (std::size_t i = 0; i < axes_.size(); ++i) position_.at(i) = start.at(i);
 }
@@ -218,8 +224,13 @@ std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Le
   const bool travels = in(command.axes, first) || in(command.axes, second);
   if (r == nullptr && !center) {
     // fanuc.program.arc-without-center: An axis word of the plane under G02 or G03 without I J K and without R raises
-    // PS0023.
-    if (travels) raise(recorder_, Clause::fanuc_program_arc_without_center, AlarmCause::arc_without_center);
+    // PS0022 with CIR (3403#5) = 1, which is what counts where the setup says nothing; with CIR = 0 the block runs as a
+    // straight line to its end, with its F.
+    if (travels) {
+      if (recorder_.decide(Clause::fanuc_program_arc_without_center, setup_.bit(3403, 5, true)))
+        throw Alarm(AlarmCause::arc_without_center);
+      return std::nullopt;
+    }
     // fanuc.program.arc-without-plane-words: Under G02 or G03 a block without an axis word of the plane and without I J
     // K R moves the other axes in a straight line.
     recorder_.reach(Clause::fanuc_program_arc_without_plane_words);
@@ -241,6 +252,13 @@ std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Le
   if (r != nullptr) {
     // fanuc.program.arc-radius-wins: Where R and I J K are both given, R counts.
     recorder_.decide(Clause::fanuc_program_arc_radius_wins, center);
+    // fanuc.program.arc-radius-without-chord: R with an end that is the start in the plane is an arc of 0 degrees: the
+    // tool does not move in the plane, the other axes move in a straight line, and the block counts as one that does
+    // not move in the plane.
+    if (model::is_zero(travel)) {
+      recorder_.reach(Clause::fanuc_program_arc_radius_without_chord);
+      return std::nullopt;
+    }
     geometry = arc_by_radius(recorder_, start, travel, numbers_.length(*r), arc.direction);
   } else {
     const auto component = [&](char letter) {
@@ -249,10 +267,10 @@ std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Le
     };
     const Rational to_first = component(in_plane.first_center);
     const Rational to_second = component(in_plane.second_center);
-    // fanuc.program.arc-center-in-start: Without R, I J K of which those of the plane are zero or missing raise PS0023,
+    // fanuc.program.arc-center-in-start: Without R, I J K of which those of the plane are zero or missing raise PS0022,
     // in cutter compensation C PS0038 (fanuc.cutter-c.arc-ends-in-center).
     if (!recorder_.decide(Clause::fanuc_program_arc_center_in_start, to_first == 0 && to_second == 0))
-      geometry = arc_by_center(recorder_, start, travel, {to_first, to_second}, arc.direction);
+      geometry = arc_by_center(recorder_, start, travel, {to_first, to_second}, arc.direction, allowed_difference_);
     else if (compensated)
       geometry.center = start;
     else

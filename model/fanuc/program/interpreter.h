@@ -51,7 +51,7 @@ class Interpreter {
   void write_origins(const Command& command);
   // Where the block goes. `directed`: G43.5 is in force in it, I J K are a tool direction and alone make a move;
   // `always`: it makes a move even without; `compensated`: by cutter compensation C, which refuses an arc about its
-  // start, here one without a sweep. Throws Alarm PS0023 or PS0046. The position stays until arrive().
+  // start, here one without a sweep. Throws Alarm. The position stays until arrive().
   std::vector<Leg> legs(const Command& command, bool directed, bool always, bool compensated);
   // A leg that stays where the block starts, or after arrive() where it ended.
   [[nodiscard]] Leg stay(const Command& command) const;
@@ -91,6 +91,7 @@ class Interpreter {
   spec::Axes axes_;
   Numbers numbers_;
   WorkCoordinates work_;
+  Rational allowed_difference_;  // of the radii of an arc (3410), setup units; 0: any
   Position position_;
   std::array<std::optional<Coordinate>, spec::kMaxAxes> intermediate_;  // of the last G28 or G30
   std::optional<Rational> feed_;

@@ -62,6 +62,17 @@ Definition around {num} {N : Numbers num} (clockwise : bool) (center start finis
   equal <- is_zero "fanuc.program.arc-spiral" (dot2 to to - dot2 from from)%num ;;
   Got (Circle center turn (if equal then None else Some (root (dot2 from from), root (dot2 to to)))).
 
+(** fanuc.program.arc-radii: the radii differ by no more than 3410, where it is given and not 0. *)
+Definition radii_allowed {num} {N : Numbers num} (most : num) (c : circle num) : outcome unit :=
+  unlimited <- is_zero "fanuc.program.arc-radii" most ;;
+  match ends c with
+  | Some (first, last) =>
+      let apart := (first - last)%num in
+      too_far <- is_negative "fanuc.program.arc-radii" (most * most - apart * apart)%num ;;
+      alarm_if (negb unlimited && too_far) "arc-radii-differ"
+  | None => Got tt
+  end.
+
 (** The vector from the start to the centre by R, where the end is that chord away. The centre of the smaller arc lies to
     the left of the chord where it runs counterclockwise. *)
 Definition to_center_by_radius {num} {N : Numbers num} (clockwise larger : bool) (r : num) (chord : pair num) : pair num :=
@@ -70,26 +81,25 @@ Definition to_center_by_radius {num} {N : Numbers num} (clockwise larger : bool)
   let half x := (x / integer 2)%num in
   ((half (fst chord) - height * snd chord)%num, (half (snd chord) + height * fst chord)%num).
 
-(** fanuc.program.arc-radius: R exists where it is at least half the chord, else PS0023.
-    fanuc.program.arc-radius-without-chord: an end that is the start, and R0, raise PS0023.
+(** fanuc.program.arc-radius: R exists where it is at least half the chord, else PS0020.
     fanuc.program.arc-larger: a positive R means the arc of at most 180 degrees, a negative one the larger arc. *)
 Definition by_radius {num} {N : Numbers num} (clockwise : bool) (r : num) (start finish : pair num) :
     outcome (circle num) :=
   let chord := sub2 finish start in
   let square := dot2 chord chord in
-  no_chord <- is_zero "fanuc.program.arc-radius-without-chord" square ;;
-  no_radius <- is_zero "fanuc.program.arc-radius-without-chord" r ;;
   too_small <- is_negative "fanuc.program.arc-radius" (integer 4 * r * r - square)%num ;;
   larger <- is_negative "fanuc.program.arc-larger" r ;;
-  _ <- alarm_if (no_chord || no_radius || too_small) "arc-radius-too-short" ;;
+  _ <- alarm_if too_small "arc-radius-too-short" ;;
   let to_center := to_center_by_radius clockwise larger r chord in
   turn <- angle_between clockwise (sub2 (0%num, 0%num) to_center) (sub2 chord to_center) ;;
   Got (Circle (add2 start to_center) turn None).
 
 (** The vector from the start to the centre. fanuc.program.arc-center-in-start: I J K of which those of the plane are zero
-    or missing raise PS0023; where cutter compensation C raises PS0038 instead, that comes later. *)
-Definition by_center {num} {N : Numbers num} (refused_later clockwise : bool) (to_center start finish : pair num) :
+    or missing raise PS0022; where cutter compensation C raises PS0038 instead, that comes later. *)
+Definition by_center {num} {N : Numbers num} (most_apart : num) (refused_later clockwise : bool) (to_center start finish : pair num) :
     outcome (circle num) :=
   in_start <- is_zero "fanuc.program.arc-center-in-start" (dot2 to_center to_center) ;;
   _ <- alarm_if (in_start && negb refused_later) "arc-without-center" ;;
-  around clockwise (add2 start to_center) start finish.
+  c <- around clockwise (add2 start to_center) start finish ;;
+  _ <- radii_allowed most_apart c ;;
+  Got c.

@@ -61,6 +61,16 @@ Definition codes_of {num} (b : block num) : option (list Z) :=
       end)
     (Some []) (words b).
 
+(** fanuc.program.address-repeated: an address other than G, M, N and O twice, or two codes of one group. *)
+Definition repeats {num} (codes : list Z) (b : block num) : bool :=
+  let counted (w : word num) := match address w with Letter.G | Letter.M | Letter.N | Letter.O => false | _ => true end in
+  let same (a w : word num) := Letter.eqb (address a) (address w) in
+  let fix twice (ws : list (word num)) : bool :=
+    match ws with [] => false | w :: rest => (counted w && existsb (same w) rest) || twice rest end in
+  twice (words b) ||
+  existsb (fun group => 1 <? Z.of_nat (List.length (filter (fun code => among code group) codes)))
+    [motions; planes; units; distances; feeds; lengths; systems; compensations; map fst actions].
+
 (** The last code of a group. *)
 Definition last_of (group codes : list Z) : option Z := find (fun code => among code group) (rev codes).
 Definition action_of (codes : list Z) : option action :=

@@ -45,6 +45,11 @@ Definition additional_number {num} (b : block num) : option Z :=
   | Some w => match whole w with Some p => if (1 <=? p) && (p <=? 48) then Some p else None | None => None end
   end.
 
+(** fanuc.program.additional-system: G54 with a P is G54.1, where P belongs to nothing else of the block. *)
+Definition takes_p {num} (codes : list Z) (b : block num) : bool :=
+  takes_letters codes || existsb (fun code => among code [300; 434; 435]) codes ||
+  existsb (fun w => match address w, tenths w with Letter.M, Some t => among t [980; 990] | _, _ => false end) (words b).
+
 (** fanuc.program.workpiece-system: G54 to G59 and G54.1 select the workpiece system. *)
 Definition select_system {num} (codes : list Z) (b : block num) (c : coordinates num) : outcome (coordinates num) :=
   let with_system chosen :=
@@ -52,7 +57,7 @@ Definition select_system {num} (codes : list Z) (b : block num) (c : coordinates
   match last_of systems codes with
   | None => Got c
   | Some code =>
-      if code =? 541
+      if (code =? 541) || ((code =? 540) && given (last_word Letter.P (words b)) && negb (takes_p codes b))
       then match additional_number b with Some p => Got (with_system (Additional p)) | None => Alarm "workpiece-number" end
       else Got (with_system (Standard (code / 10 - 53)))
   end.

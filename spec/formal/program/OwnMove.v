@@ -21,20 +21,28 @@ Definition runs_arc {num} (m : modes) (s : setup num) (numbers : some_values num
   | _ => false
   end.
 
-(** fanuc.program.arc-radius-wins: where R and I J K are both given, R counts.
-    fanuc.program.arc-without-center: without both of them PS0023. *)
+(** None: a straight line.
+    fanuc.program.arc-radius-wins: where R and I J K are both given, R counts.
+    fanuc.program.arc-radius-without-chord: R with an end that is the start is an arc of 0 degrees.
+    fanuc.program.arc-without-center: without both of them PS0022, or with CIR = 0 a straight line. *)
 Definition arc_between {num} {N : Numbers num} (s : setup num) (m : modes) (refused_later : bool) (b : block num)
     (from to : pair num) :
-    outcome (circle num) :=
+    outcome (option (circle num)) :=
   let number letter := last_number s (in_inches m) letter b in
   let clockwise := match motion m with Clockwise => true | _ => false end in
   let '(i, j) := center_letters (in_plane m) in
   match number Letter.R with
-  | Some r => by_radius clockwise r from to
+  | Some r =>
+      let way := sub2 to from in
+      stands <- is_zero "fanuc.program.arc-radius-without-chord" (dot2 way way) ;;
+      if stands then Got None else c <- by_radius clockwise r from to ;; Got (Some c)
   | None =>
       if existsb (fun letter => given (number letter)) [Letter.I; Letter.J; Letter.K]
-      then by_center refused_later clockwise (or_else (number i) 0%num, or_else (number j) 0%num) from to
-      else Alarm "arc-without-center"
+      then
+        c <- by_center (or_else (parameter s "3410") 0%num) refused_later clockwise
+               (or_else (number i) 0%num, or_else (number j) 0%num) from to ;;
+        Got (Some c)
+      else if or_else (parameter_bit s "3403#5") true then Alarm "arc-without-center" else Got None
   end.
 
 (** * Tool offset *)

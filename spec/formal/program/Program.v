@@ -89,8 +89,9 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
     let input := match code with Some DataInput => true | _ => false end in
     let origins := input && among (or_else l 0) [2; 20] in
     let into := if input then store s l else None in
+    _ <- alarm_if (bit s "3403#6" && repeats codes b) "address-repeated" ;;
     _ <- alarm_if (three_dimensional s codes b) "unknown-code" ;;
-    _ <- alarm_if (input && negb origins && negb (given into)) "g10_kind" ;;
+    _ <- alarm_if (input && negb origins && negb (given into)) "g10-kind" ;;
     h <- offset_number s Letter.H b ;;
     d <- offset_number s Letter.D b ;;
     c <- select_system codes b (coordinates_of st) ;;
@@ -133,9 +134,8 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
     circle_of <-
       (if negb (elsewhere || stays code) && runs_arc m s numbers letters_are_data path_block
        then
-         c <- arc_between s m (negb (cutter_b s) && cutter_on_after s said st) path_block
-                (in_plane_of s (in_plane m) position) (in_plane_of s (in_plane m) to) ;;
-         Got (Some c)
+         arc_between s m (negb (cutter_b s) && cutter_on_after s said st) path_block
+           (in_plane_of s (in_plane m) position) (in_plane_of s (in_plane m) to)
        else Got None) ;;
     (* G45 to G48. *)
     let offset_mode := match length_code_of codes with
