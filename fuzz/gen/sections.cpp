@@ -56,10 +56,12 @@ std::uint32_t number_of_blocks(Choices& choose) {
   }
 }
 
+// Those of fanuc/program and heidenhain/program rule every section of their control.
 bool has_clause_of(const spec::KeyInfo& key, std::string_view section) {
   return std::ranges::any_of(key.clauses, [&](std::string_view id) {
     const auto clause = spec::find_clause(id);
-    return clause && spec::info(*clause).section == section;
+    const std::string_view of = clause ? spec::info(*clause).section : std::string_view();
+    return of == section || (of.ends_with("/program") && section.starts_with(of.substr(0, of.find('/') + 1)));
   });
 }
 
@@ -68,6 +70,15 @@ void choose_keys(Choices& choose, spec::Case& c) {
   for (const spec::KeyInfo& key : spec::keys())
     if (key.percent != 0 && has_clause_of(key, c.section) && choose.chance(key.percent))
       key.set(c.setup, (key.default_value + 1 + choose.below(key.values.size() - 1)) % key.values.size());
+}
+
+// The series, and the parameters of fanuc/program, which rule every section.
+void choose_program_parameters(Choices& choose, spec::Setup& setup) {
+  if (setup.control != spec::Control::fanuc) return;
+  if (choose.chance(30)) setup.series = spec::Series::series_30i;
+  if (choose.chance(15)) setup.parameters[{3403, 5}] = spec::decimal(choose.chance(85) ? 0 : 1);
+  if (choose.chance(5)) setup.parameters[{3403, 6}] = spec::decimal(choose.chance(85) ? 1 : 0);
+  if (choose.chance(15)) setup.parameters[{3410, -1}] = spec::decimal(choose.between(0, 4));
 }
 
 spec::Case directed(const Generator& generator, Choices& choose, std::uint32_t blocks) {
@@ -96,6 +107,7 @@ spec::Case generate(std::string_view section, Mode mode, ChoiceSource& source, s
   c.section = section;
   if (mode == Mode::unrestricted) return unrestricted(choose, std::move(c), blocks);
   choose_keys(choose, c);
+  choose_program_parameters(choose, c.setup);
   return c;
 }
 

@@ -63,7 +63,7 @@ class EventReader {
           F::plane, F::direction,  F::sweep,   F::radius, F::tool_center, F::contact,   F::normal,
           F::shift, F::tool_shift, F::carrier, F::angle,  F::flat,        F::feed,      F::clauses}},
         {{F::kind, F::line, F::t}, {F::n, F::point, F::axes, F::machine, F::tool_axis, F::clauses}},
-        {{F::kind, F::line, F::number}, {F::n, F::message, F::clauses}},
+        {{F::kind, F::line, F::number}, {F::n, F::cause, F::message, F::clauses}},
         {{F::kind, F::line, F::number}, {F::n, F::message, F::clauses}},
         {{F::kind, F::line, F::name, F::value}, {F::n, F::clauses}},
         {{F::kind, F::line, F::clause}, {F::n, F::permitted, F::reason, F::clauses}},

@@ -28,8 +28,10 @@ class Registry : public testing::Test {
                        "replaced_by = \"a.b.c\"\n");
   }
   [[nodiscard]] Outcome generate(const std::string& text) const {
-    return toolcomp::test::command(TOOLCOMP_BINARY_DIR "/toolcomp_parameters " + folder.write("p.toml", text) + ' ' +
-                                   folder.path("clauses") + ' ' + folder.path(""));
+    return toolcomp::test::command(
+        TOOLCOMP_BINARY_DIR "/toolcomp_parameters " + folder.write("p.toml", text) + ' ' +
+        folder.write("a.toml", "[a]\nnumber = \"PS0001\"\ntext = \"one\"\nsource = \"ours\"\n") + ' ' +
+        folder.path("clauses") + ' ' + folder.path(""));
   }
   void refused(const std::string& text, const std::string& what) const {
     const Outcome outcome = generate(text);

@@ -24,7 +24,6 @@ namespace toolcomp::fuzz {
 namespace {
 
 const std::uint64_t kSeeds = test::effort(4U, 40U);
-constexpr std::uint32_t kWithoutPoint = 3401;  // the bit that is 1 where it is not given
 constexpr const char* kRefused = "refused";
 
 struct Texts {
@@ -128,7 +127,9 @@ TEST(Parameters, AllOthersHaveOne) {
       std::erase_if(left, [&](const spec::ParameterId& id) {
         spec::Case other = c;
         const auto value = spec::decimal(values[(seed + id.number) % std::size(values)]);
-        const bool set = id.bit >= 0 && c.setup.bit(id.number, id.bit, id.number == kWithoutPoint);
+        const bool set =
+            id.bit >= 0 &&
+            c.setup.bit(id.number, id.bit, !spec::default_value(id, c.setup.units).value_or(spec::Decimal()).is_zero());
         other.setup.parameters[id] = id.bit < 0 ? value : spec::decimal(set ? 0 : 1);
         if (!spec::has_allowed_parameters(other.setup)) return false;
         const Texts changed = run(other);

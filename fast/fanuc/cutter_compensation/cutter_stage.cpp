@@ -443,7 +443,11 @@ Alarm CutterStage<Compensation>::plain_block(const Words& words) {
     return refuse(words, block, placed);
   block.end[0] = positions.programmed()[plane[0]];
   block.end[1] = positions.programmed()[plane[1]];
-  if (arc && control.runs_arc(words, block.start, block.end)) return take_arc(words, block);
+  if (arc) {
+    if (control.runs_arc(words, block.start, block.end)) [[likely]]
+      return take_arc(words, block);
+    block.own = axes != 0;
+  }
   // What the stage makes of a line is begun early, while the rest of the block is filled in.
   const bool moves = !(block.start[0] == block.end[0] && block.start[1] == block.end[1]);
   if (block.named != 0 && moves) [[likely]] {

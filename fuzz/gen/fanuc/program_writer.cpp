@@ -130,7 +130,7 @@ void ProgramWriter::idle_words() {
         text_ += "G52 " + value;
         break;
       case 1:
-        text_ += fmt::format("G54.1 P{}", choose_.one_of({1, 2, 48, 49}));
+        text_ += fmt::format("{} P{}", choose_.chance(70) ? "G54.1" : "G54", choose_.one_of({1, 2, 48, 49}));
         break;
       case 2:
         text_ += fmt::format("G10 L2 P{} {}", choose_.between(0, 7), value);
