@@ -11,10 +11,9 @@
 namespace toolcomp::cli {
 namespace {
 
-const std::map<std::string, EngineName> kEngines{{"model", EngineName::model}, {"fast", EngineName::fast}};
 // Whether the second is the formal specification.
 const std::map<std::string, bool> kPairs{{"model,fast", false}, {"model,spec", true}};
-const std::map<std::string, EngineName> kServed{
+const std::map<std::string, EngineName> kEngines{
     {"model", EngineName::model}, {"fast", EngineName::fast}, {"spec", EngineName::specification}};
 const std::map<std::string, Format> kFormats{{"jsonl", Format::jsonl},
                                              {"csv", Format::csv},
@@ -43,7 +42,7 @@ void define_run(CommandLine& line) {
   A page to step through:
     $ toolcomp run part.nc --format html > part.html)");
   take_program(sub, options->program, options->setup);
-  choose(sub, "--engine", options->engine, kEngines, "model (exact) or fast");
+  choose(sub, "--engine", options->engine, kEngines, "model (exact), fast or spec (the formal specification, exact)");
   choose(sub, "--format", options->format, kFormats,
          "jsonl, csv, gcode (ends of blocks; with --samples, also inside), svg or html (a page to step through)");
   take(sub, "--digits", options->digits, "N", "Decimals the model prints", 0, kMostDigits);
@@ -119,7 +118,7 @@ void define_serve(CommandLine& line) {
   sub->footer(R"(Examples:
   What it can do:
     $ echo '{"hello":1}' | toolcomp serve --engine fast)");
-  choose(sub, "--engine", *engine, kServed, "model, fast or spec (the formal specification)")->required();
+  choose(sub, "--engine", *engine, kEngines, "model, fast or spec (the formal specification)")->required();
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "cli/verbs.h"
 #include "fast/basis/event.h"
 #include "fast/basis/print.h"
+#include "formal/engine.h"
 #include "fuzz/oracle/control.h"
 #include "model/basis/event.h"
 #include "model/basis/number.h"
@@ -197,6 +198,31 @@ void feed_fast(const Program& program, Sink& sink) {
   });
 }
 
+// The formal specification, which runs a program as a whole.
+template <class Sink>
+struct Specification {
+  const Program& program;
+  Sink& sink;
+  [[nodiscard]] static bool stopped() { return false; }
+  template <class Block>
+  static void block(const Block& /*block*/) {}
+  void end() {
+    const formal::Run run = formal::run(program.as_case());
+    if (!run.not_said.empty()) throw spec::InputError("--engine", 0, 0, run.not_said);
+    for (const spec::Event<exact::Real>& event : run.events) sink.on(event);
+  }
+};
+
+template <class Sink>
+void feed_specification(const Program& program, Sink& sink) {
+  if (!formal::available())
+    throw spec::InputError("--engine", 0, 0, "this toolcomp was built without the formal specification");
+  fuzz::with_control(program.setup(), [&]<class Control>(Control) {
+    Specification<Sink> engine{program, sink};
+    feed<Control>(program, engine, sink);
+  });
+}
+
 // Keeps the events for a picture, in double; alarms also on standard error, as above.
 template <class Number>
 struct Collector final : spec::EventSink<Number> {
@@ -268,7 +294,10 @@ int run(const RunOptions& options) {
   say_what_is_read(options.program, options.setup);
   if (options.format == Format::html) return print_page(options);
   const Program program(options.program, options.setup, options.samples);
-  detail(options.engine == EngineName::fast ? "engine fast, double" : "engine model, exact");
+  const bool specified = options.engine == EngineName::specification;
+  detail(options.engine == EngineName::fast ? "engine fast, double"
+         : specified                        ? "the formal specification, exact"
+                                            : "engine model, exact");
   if (options.engine == EngineName::fast) {
     FastNumber append;
     if (options.format == Format::svg) {
@@ -283,16 +312,19 @@ int run(const RunOptions& options) {
     return sink.status();
   }
   model::Recorder recorder;
+  const auto feed_exactly = [&](auto& sink) {
+    specified ? feed_specification(program, sink) : feed_model(program, recorder, sink);
+  };
   if (options.format == Format::svg) {
     Collector<exact::Real> sink(program);
-    feed_model(program, recorder, sink);
+    feed_exactly(sink);
     return draw(program, sink);
   }
   ModelNumber append{options.digits};
   const auto start =
       start_of<exact::Real>(program.setup(), [](const spec::Decimal& d) { return exact::Real(model::plain(d)); });
   Printer<exact::Real, ModelNumber> sink(program, options.format, append, start);
-  feed_model(program, recorder, sink);
+  feed_exactly(sink);
   return sink.status();
 }
 

@@ -130,6 +130,8 @@ class AxisPositions {
   // The intermediate point of G28 and G30.
   [[nodiscard]] Alarm to_intermediate(std::size_t axis, const Count& position);
   void end_intermediate(Mask axes);
+  // Whether all of these axes have one.
+  [[nodiscard]] bool has_intermediate(Mask axes) const { return (axes & ~has_intermediate_) == 0; }
   // Back to it, for those of the axes that have one.
   [[nodiscard]] Alarm from_intermediate(Mask axes);
   // The reference positions, machine coordinates: 0 floating, 1 to 4.

@@ -42,6 +42,8 @@ Alarm Interpreter::check(const Words& words, Command& command) const {
   if (one_shot == 100 && !words.writes_origin())
     if (const Alarm a = check_offset_write(words, list, command)) return a;
   if (one_shot == 300 && words.axes() != 0 && reference_point(words) == 0) return AlarmCause::reference_number;
+  if (one_shot == 290 && is_30i_ && !control_.positions.has_intermediate(words.axes()))
+    return AlarmCause::no_intermediate_point;
   return AlarmCause::none;
 }
 
@@ -53,6 +55,8 @@ Alarm Interpreter::check_offset_write(const Words& words, std::uint32_t list, Co
   const OffsetMemory& memory = control_.memory;
   const std::uint32_t number = words.has('P') ? whole_number(words['P'], memory.count()) : 0;
   command.writes = words.has('R');
+  // Of a P that names none too.
+  if (!command.writes && is_30i_) return AlarmCause::g10_number;
   const bool inch = is(Words::kUnits, 200, control_.units.inch());
   const bool add = is(Words::kDistance, 910, control_.modal.incremental());
   // Without R nothing is stored: 0 in its place passes every range.

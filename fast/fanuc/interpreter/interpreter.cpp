@@ -10,6 +10,7 @@ namespace toolcomp::fast {
 
 Interpreter::Interpreter(const spec::Setup& setup, Control& control, const Stages& stages, EventSink& sink)
     : control_(control),
+      is_30i_(setup.series == spec::Series::series_30i),
       stages_(stages),
       measurement_(setup),
       sink_(sink),

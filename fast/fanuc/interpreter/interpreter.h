@@ -95,6 +95,7 @@ class Interpreter final : public BlockTaker {
   [[nodiscard]] Alarm send_measuring_move(std::size_t axis, const Count& to, double commanded, bool measuring);
 
   Control& control_;
+  bool is_30i_;
   const Stages& stages_;
   std::span<const std::unique_ptr<Stage>> asked_;  // to which a block with commands is shown: all of them, or none
   ToolLengthMeasurement measurement_;

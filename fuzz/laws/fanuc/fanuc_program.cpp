@@ -52,10 +52,17 @@ std::optional<std::uint64_t> number(const spec::Decimal& d) {
   return d.digits;
 }
 
-// The system that P of G54.1 selects. Others take P too.
-std::optional<int> additional_system(const FanucBlock& b, bool takes_letters) {
+// P belongs to another code than that of a system.
+bool takes_p(const FanucBlock& b, bool takes_letters) {
   constexpr std::array kTakesP{300, 434, 435};
-  if (takes_letters || std::ranges::any_of(kTakesP, [&b](int code) { return b.has_code(code); })) return std::nullopt;
+  const bool calls = std::ranges::any_of(
+      b.words, [](const spec::Word& w) { return w.address == 'M' && (w.value.digits == 98 || w.value.digits == 99); });
+  return takes_letters || calls || std::ranges::any_of(kTakesP, [&b](int code) { return b.has_code(code); });
+}
+
+// The system that P of G54.1, or of G54, selects.
+std::optional<int> additional_system(const FanucBlock& b, bool takes_letters) {
+  if (takes_p(b, takes_letters)) return std::nullopt;
   const spec::Decimal* const p = b.value('P');
   const auto n = p == nullptr ? 1 : number(*p);
   if (!n) return std::nullopt;
@@ -159,7 +166,8 @@ FanucProgram::FanucProgram(const spec::Case& c) {
         if (among(code, {900, 910})) state.absolute = code == 900;
         if (among(code, {200, 210})) state.inches = code == 200;
         if (code >= 540 && code <= 590 && code % 10 == 0) state.system = code / 10 - 53;
-        if (code == 541) state.system = additional_system(state, takes_letters);
+        const bool with_p = code == 540 && state.value('P') != nullptr && !takes_p(state, takes_letters);
+        if (code == 541 || with_p) state.system = additional_system(state, takes_letters);
         if (among(code, {434, 435})) {
           const spec::Decimal* p = state.value('P');
           state.posture = p != nullptr ? p->digits != 0 : c.setup.bit(19604, 0);

@@ -199,8 +199,11 @@ std::vector<Leg> Interpreter::return_legs(const Command& command) const {
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     if (!in(command.axes, i)) continue;
     // fanuc.program.return-without-intermediate: An axis for which no intermediate point exists yet has its current
-    // position for one.
-    if (recorder_.decide(Clause::fanuc_program_return_without_intermediate, !intermediate_.at(i))) continue;
+    // position for one. On the 30i, G29 with such an axis raises PS0305.
+    if (recorder_.decide(Clause::fanuc_program_return_without_intermediate, !intermediate_.at(i))) {
+      if (setup_.series == spec::Series::series_30i) throw Alarm(AlarmCause::no_intermediate_point);
+      continue;
+    }
     go(intermediate, i, *intermediate_.at(i));
   }
   Leg end = intermediate;

@@ -66,6 +66,7 @@ std::optional<OffsetWrite> offset_kind(std::uint64_t l, spec::OffsetMemory memor
 OffsetMemory::OffsetMemory(const spec::Setup& setup, Recorder& recorder)
     : recorder_(recorder),
       kind_(setup.memory),
+      series_(setup.series),
       count_(setup.offset_count),
       geometry_limit_(geometry_limit(setup)),
       wear_limit_(wear_limit(setup)) {
@@ -116,9 +117,12 @@ std::optional<OffsetWrite> OffsetMemory::read_write(const Words& words, const Nu
   write.number = static_cast<std::uint32_t>(numerator(number));
 
   const spec::Decimal* const r = words.find('R');
-  // fanuc.memory.g10-value: R of G10 is the value. Without R nothing is written.
-  recorder_.decide(Clause::fanuc_memory_g10_value, r != nullptr);
-  if (r == nullptr) return std::nullopt;
+  // fanuc.memory.g10-value: R of G10 is the value. Without R nothing is written; on the 30i it
+  // raises PS0031.
+  if (!recorder_.decide(Clause::fanuc_memory_g10_value, r != nullptr)) {
+    if (series_ == spec::Series::series_30i) throw Alarm(AlarmCause::g10_number);
+    return std::nullopt;
+  }
   write.value = numbers.length(*r);
   const Rational& limit = write.wear ? wear_limit_ : geometry_limit_;
   const bool too_large =

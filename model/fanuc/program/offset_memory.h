@@ -69,6 +69,7 @@ class OffsetMemory {
 
   Recorder& recorder_;
   spec::OffsetMemory kind_;
+  spec::Series series_;
   std::uint32_t count_;
   Rational geometry_limit_;
   Rational wear_limit_;

@@ -85,14 +85,14 @@ Definition with_origin {num} {N : Numbers num} (s : setup num) (incremental : bo
   let new old := map2 (fun x number =>
     match number with Some y => if incremental then (x + y)%num else y | None => x end) old numbers in
   match whole_word Letter.P b with
-  | None => Alarm "g10_workpiece"
+  | None => Alarm "g10-workpiece"
   | Some p =>
       if l =? 2 then
-        _ <- alarm_if (6 <? p) "g10_workpiece" ;;
+        _ <- alarm_if (6 <? p) "g10-workpiece" ;;
         Got (Coordinates (selected c) ((p, new (origin s c (Standard p))) :: standard_origins c)
                (additional_origins c) (shifted c) (local c))
       else
-        _ <- alarm_if ((p =? 0) || (48 <? p)) "g10_workpiece" ;;
+        _ <- alarm_if ((p =? 0) || (48 <? p)) "g10-workpiece" ;;
         Got (Coordinates (selected c) (standard_origins c)
                ((p, new (origin s c (Additional p))) :: additional_origins c) (shifted c) (local c))
   end.

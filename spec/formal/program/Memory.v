@@ -78,7 +78,7 @@ Definition whole_word {num} (letter : Letter.t) (b : block num) : option Z :=
   match last_word letter (words b) with Some w => whole w | None => None end.
 
 (** fanuc.memory.g10-number: a P that is not whole, 0, beyond the memory or missing raises PS0031.
-    fanuc.memory.g10-value: without R nothing is written.
+    fanuc.memory.g10-value: without R nothing is written; on the 30i PS0031.
     fanuc.memory.g10-adds: under G90 the value replaces the stored one, under G91 it is added.
     fanuc.memory.g10-range: beyond the range of its store PS0032. *)
 Definition written {num} {N : Numbers num} (s : setup num) (m : modes) (o : offsets num) (b : block num)
@@ -86,10 +86,10 @@ Definition written {num} {N : Numbers num} (s : setup num) (m : modes) (o : offs
   let '(by_, wear) := into in
   match whole_word Letter.P b with
   | Some number =>
-      if (number <? 1) || (offset_count s <? number) then Alarm "g10_number"
+      if (number <? 1) || (offset_count s <? number) then Alarm "g10-number"
       else
         match last_number s (in_inches m) Letter.R b with
-        | None => Got None
+        | None => if series_30i s then Alarm "g10-number" else Got None
         | Some r =>
             let new by_ :=
               let '(geometry, old_wear) := entry_of by_ o number in
@@ -103,10 +103,10 @@ Definition written {num} {N : Numbers num} (s : setup num) (m : modes) (o : offs
               | MemoryC, ByD => d_too_large
               | _, _ => h_too_large || d_too_large
               end in
-            _ <- alarm_if too_large "g10_value" ;;
+            _ <- alarm_if too_large "g10-value" ;;
             Got (Some (Writing by_ wear number (new ByH) (new ByD)))
         end
-  | None => Alarm "g10_number"
+  | None => Alarm "g10-number"
   end.
 
 (** fanuc.memory.kinds, fanuc.memory.one-table-given: in memory A and B H and D share what is written; where both tables

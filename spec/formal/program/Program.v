@@ -122,6 +122,10 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
     c' <- (if origins then with_origin s (incremental m) (or_else l 0) b all_numbers c else Got c) ;;
     writing <- match into with Some store => written s m (offsets_of st) b store | None => Got None end ;;
     target <- (if empty (which numbers) then Got None else reference_position s code b) ;;
+    (* fanuc.program.return-without-intermediate: on the 30i. *)
+    _ <- alarm_if (series_30i s && match code with Some ReturnFromReference => true | _ => false end &&
+                   existsb (fun x => fst x && negb (given (snd x))) (combine (which numbers) (intermediate st)))
+           "no-intermediate-point" ;;
     let position := renamed s c c' position in
     let st := State m (next_feed s m b (feed st)) c' position (shift st) (length_of st) (next_shared s d h (shared st))
                 (offsets_of st) (intermediate st) (cutter st) (side st) (edge st) (control st) in
