@@ -76,6 +76,8 @@ void choose_keys(Choices& choose, spec::Case& c) {
 void choose_program_parameters(Choices& choose, spec::Setup& setup) {
   if (setup.control != spec::Control::fanuc) return;
   if (choose.chance(30)) setup.series = spec::Series::series_30i;
+  // Seldom none: a cutting move before the first F ends the run.
+  if (choose.chance(90)) setup.parameters[{1411, -1}] = spec::decimal(choose.between(1, 40) * 100);
   if (choose.chance(15)) setup.parameters[{3403, 5}] = spec::decimal(choose.chance(85) ? 0 : 1);
   if (choose.chance(5)) setup.parameters[{3403, 6}] = spec::decimal(choose.chance(85) ? 1 : 0);
   if (choose.chance(15)) setup.parameters[{3410, -1}] = spec::decimal(choose.between(0, 4));

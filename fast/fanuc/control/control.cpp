@@ -23,6 +23,7 @@ Control::Control(const spec::Setup& setup, EventSink& sink, std::uint32_t sample
 void Control::begin(const spec::Setup& setup) {
   if (setup.control != spec::Control::fanuc)
     throw spec::InputError("setup", 0, 0, "control: only \"fanuc\" programs can be run");
+  if (const auto feed = setup.parameter(1411); feed && !feed->is_zero()) modal.set_feed(Count::of(*feed).nearest());
   positions.read(setup);
   attitude.take_zeros();
   if (kinematics.defined()) attitude.turn();

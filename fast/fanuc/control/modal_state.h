@@ -77,6 +77,9 @@ class ModalState {
   }
 
   [[nodiscard]] const std::optional<double>& feed() const { return feed_; }
+  // A cutting move would have no F (clause fanuc.program.no-feed).
+  [[nodiscard]] bool lacks_feed() const { return per_minute_ && (!feed_ || *feed_ == 0); }
+  [[nodiscard]] bool feed_per_minute() const { return per_minute_; }
   // Under G93 and G95 F is no feed per minute: moves have none.
   void set_feed(double feed) {
     if (per_minute_) feed_ = feed;

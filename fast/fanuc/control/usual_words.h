@@ -18,9 +18,9 @@ namespace toolcomp::fast {
 // Words count as they are written, the positions of the linear axes are theirs, and no value waits to come into force.
 inline bool usual_positions_may_come(const Control& control) {
   const AxisPositions& positions = control.positions;
-  return !control.refuses_repeats && !control.cutter_value.takes_edited() && !positions.length().pending() &&
-         control.units.plain() && positions.rounded() == 0 && positions.tool_offset().live() == 0 &&
-         positions.stale() == 0;
+  return !control.refuses_repeats && !control.modal.lacks_feed() && !control.cutter_value.takes_edited() &&
+         !positions.length().pending() && control.units.plain() && positions.rounded() == 0 &&
+         positions.tool_offset().live() == 0 && positions.stale() == 0;
 }
 // Nothing else of the modal state needs a look before such a block.
 inline bool usual_words_may_come(const Control& control) {
@@ -94,6 +94,9 @@ class UsualWords {
       word_[letter] = Count::small_of_short(word.value);
     }
     const bool each_once = sum == letters;
+    // F 0 is none.
+    if ((letters & set('F')) != 0 && word_[at('F')] == 0) [[unlikely]]
+      return false;
     return (letters & ~permitted_) == 0 && Count::are_short(digits, shapes) && letters != 0 &&
            ((letters & set('G')) == 0 || each_once);
   }

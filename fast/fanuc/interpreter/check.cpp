@@ -25,6 +25,7 @@ Alarm Interpreter::check(const Words& words, Command& command) const {
 
   const bool along_before = control_.positions.along_tool();
   command.motion = words.code(Words::kMotion) == kNone ? modal.motion() : words.code(Words::kMotion);
+  if (cuts(words, command.motion) && lacks_feed(words)) return AlarmCause::no_feed;
   const Code length = words.code(Words::kLength);
   command.along = words.starts_tip_control() || (along_before && length != 490);
   command.vector = length == 435 || (modal.by_vector() && length != 434 && length != 490);
@@ -45,6 +46,15 @@ Alarm Interpreter::check(const Words& words, Command& command) const {
   if (one_shot == 290 && is_30i_ && !control_.positions.has_intermediate(words.axes()))
     return AlarmCause::no_intermediate_point;
   return AlarmCause::none;
+}
+
+bool Interpreter::lacks_feed(const Words& words) const {
+  const ModalState& modal = control_.modal;
+  const Code mode = words.code(Words::kFeedMode);
+  const bool per_minute = mode == kNone ? modal.feed_per_minute() : mode == 940;
+  if (!per_minute) return false;
+  if (words.has('F')) return words['F'].digits == 0;
+  return !modal.feed_per_minute() || modal.lacks_feed();
 }
 
 // G10. R counts in the units and the mode (G90, G91) of this block.

@@ -63,6 +63,8 @@ void Interpreter::raise(Alarm alarm, const char* more) {
   const Code code = words.code(Words::kMotion);
   if (code != kNone) modal.set_motion(code);
   if (words.has('F')) set_feed(words);
+  if (modal.lacks_feed() && cuts(words, modal.motion())) [[unlikely]]
+    return AlarmCause::no_feed;
   if (control_.positions.along_tool()) {
     ToolAttitude& attitude = control_.attitude;
     attitude.directions().begin_block();

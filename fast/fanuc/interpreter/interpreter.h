@@ -43,6 +43,13 @@ class Interpreter final : public BlockTaker {
   [[nodiscard]] bool wakes_stages(const Words& words) const;
   [[nodiscard]] Alarm apply(const Words& words, Command& command);
   void take_codes(const Words& words, const Command& command);
+  // Whether a block moves by G01, G02 or G03 with words of its own; `motion`: the code of group 01 then.
+  [[nodiscard]] static bool cuts(const Words& words, Code motion) {
+    if (motion == 0 || (words.code(Words::kOneShot) != kNone && !words.is_tool_offset())) return false;
+    return words.axes() != 0 || (motion > 10 && words.has_any(Words::set_of("IJKR")));
+  }
+  // The F in force after a block with codes is none, or 0.
+  [[nodiscard]] bool lacks_feed(const Words& words) const;
   [[nodiscard]] Alarm take_arc(const Words& words, BlockArc& arc) const;
   [[nodiscard]] Alarm take_length(const Words& words, const Command& command, bool& extra);
   // The moves of a block; `stage`: they go through it.

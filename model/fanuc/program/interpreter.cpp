@@ -48,6 +48,8 @@ Interpreter::Interpreter(const spec::Setup& setup, Recorder& recorder)
       allowed_difference_(setup.parameter(3410) ? plain(*setup.parameter(3410)) : Rational(0)) {
   const auto start = by_axis(setup.position, axes_);
   for (std::size_t i = 0; i < axes_.size(); ++i) position_.at(i) = start.at(i);
+  // fanuc.program.feed: F is modal; 1411 is the F at power-on, where it is not 0.
+  if (const auto at_start = setup.parameter(1411); at_start && !at_start->is_zero()) feed_ = plain(*at_start);
 }
 
 AxisMask Interpreter::axis_words(const Words& words) const {
@@ -85,6 +87,7 @@ Command Interpreter::read(const spec::Block& block) {
     command.axes = axis_words(words);
     command.direction = words.has('I') || words.has('J') || words.has('K');
   }
+  require_feed(command);
   return command;
 }
 
@@ -101,6 +104,15 @@ void Interpreter::read_feed(const Command& command) {
     feed_ = numbers_.feed(*f);
   else
     recorder_.reach(Clause::fanuc_program_feed_mode);
+}
+
+void Interpreter::require_feed(const Command& command) const {
+  const bool by_motion = command.codes.one_shot == OneShot::none || is_tool_offset(command.codes.one_shot);
+  const bool arc = command.is_arc_motion() && (command.direction || command.words.has('R'));
+  if (!feed_per_minute_ || !by_motion || motion_ == Motion::rapid || (command.axes == 0 && !arc)) return;
+  // fanuc.program.no-feed: Under G94, a block that moves by G01, G02 or G03 with an axis word, or with I J K or R in
+  // G02 or G03, raises PS0011 where F is 0 or none has been given.
+  if (recorder_.decide(Clause::fanuc_program_no_feed, !feed_ || *feed_ == 0)) throw Alarm(AlarmCause::no_feed);
 }
 
 Rational Interpreter::word(const Command& command, std::size_t axis) const {

@@ -73,6 +73,8 @@ class Interpreter {
 
  private:
   void read_feed(const Command& command);
+  // Throws Alarm where a cutting move has no F.
+  void require_feed(const Command& command) const;
   [[nodiscard]] AxisMask axis_words(const Words& words) const;
   [[nodiscard]] Rational word(const Command& command, std::size_t axis) const;
   [[nodiscard]] Leg ordinary(const Command& command, spec::MoveType type) const;

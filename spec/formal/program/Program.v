@@ -32,6 +32,22 @@ Definition next_feed {num} {N : Numbers num} (s : setup num) (m : modes) (b : bl
 Definition is_shift (code : option action) : bool :=
   match code with Some Lengthen | Some Shorten | Some LengthenTwice | Some ShortenTwice => true | _ => false end.
 
+(** fanuc.program.no-feed: a cutting move without F, or with F 0, raises PS0011. *)
+Definition feed_alarm {num} {N : Numbers num} (s : setup num) (m : modes) (codes : list Z) (b : block num)
+    (f : option num) : outcome unit :=
+  let code := action_of codes in
+  let own := negb (takes_letters codes) in
+  let has letter := given (last_word letter (words b)) in
+  let moves :=
+    match motion m with
+    | Rapid => false
+    | Linear => own && existsb has (axes s)
+    | Clockwise | Counterclockwise =>
+        (own && (existsb has (axes s) || existsb has [Letter.I; Letter.J; Letter.K])) || has Letter.R
+    end in
+  lacks <- match f with Some x => is_zero "fanuc.program.no-feed" x | None => Got true end ;;
+  alarm_if (feed_per_minute m && (negb (given code) || is_shift code) && moves && lacks) "no-feed".
+
 (** No path belongs to these. *)
 Definition stays (code : option action) : bool :=
   match code with
@@ -95,6 +111,7 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
     h <- offset_number s Letter.H b ;;
     d <- offset_number s Letter.D b ;;
     c <- select_system codes b (coordinates_of st) ;;
+    _ <- feed_alarm s m codes b (next_feed s m b (feed st)) ;;
     let all_numbers := axis_numbers s (in_inches m) b in
     let letters_are_data := takes_letters codes in
     let data := letters_are_data || renames code in

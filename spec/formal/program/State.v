@@ -29,8 +29,12 @@ Arguments offsets_of {num}. Arguments intermediate {num}. Arguments cutter {num}
 Arguments edge {num}. Arguments control {num}.
 
 (** fanuc.program.initial-state: G00 G17 G90 G94 G40 G49 G54, at the position of the setup, with H0 and D0, without F. *)
+(** fanuc.program.feed: 1411 is the F at power-on, where it is not 0. *)
+Definition initial_feed {num} (s : setup num) : option num :=
+  match whole_parameter s "1411" with Some 0 => None | _ => parameter s "1411" end.
+
 Definition initial {num} {N : Numbers num} (s : setup num) : state num :=
-  State (initial_modes (inches s)) None (given_coordinates s) (start s) (zeros s) (no_length_offset s) (ByD, 0)
+  State (initial_modes (inches s)) (initial_feed s) (given_coordinates s) (start s) (zeros s) (no_length_offset s) (ByD, 0)
     (given_offsets s) (map (fun _ => None) (axes s)) (initial_cutter s) (initial_side s) (initial_edge s)
     (initial_control s).
 
