@@ -190,6 +190,7 @@ void print(const certify::SectionResult& s) {
       s.count(certify::Result::undecided), s.values, s.ties, s.worst_ulp, s.worst_um, s.wide, s.out_of_scope,
       s.few_events);
   if (const std::uint64_t part = s.count(certify::Result::partly_judged); part > 0) fmt::print(", {} in part", part);
+  if (s.left_out > 0) fmt::print(", {} of {} events left out", s.left_out, s.left_out + s.events);
   if (not_applicable > 0) fmt::print(", {} not applicable", not_applicable);
   if (const std::uint64_t not_run = s.count(certify::Result::not_run); not_run > 0) fmt::print(", {} not run", not_run);
   fmt::print("\n");
