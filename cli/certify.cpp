@@ -203,7 +203,7 @@ void print(const certify::SharedCause& group, const certify::Finding& finding, c
   fmt::print("\n{} {} {} ({} cases, first {}{})\n{}  {}{}, in {} finding{}\n  {}\n{}  toolcomp replay {}\n",
              painted(Paint::bad, "FINDING", Stream::out), finding.key.kind, finding.key.clause, group.cases,
              spec::printable(finding.first_case), certify::how_it_comes(finding),
-             known.empty() ? "" : fmt::format("  known by {}\n", known), explained ? "looks like: " : "",
+             known.empty() ? "" : fmt::format("  known as {}\n", known), explained ? "looks like: " : "",
              spec::printable(group.words), group.findings.size(), group.findings.size() == 1 ? "" : "s",
              spec::printable(certify::explanation(finding), 2000), spec::printable_lines(finding.smallest.program),
              file.string());

@@ -105,7 +105,7 @@ TEST(Certify, AFindingUnderKnownReplays) {
   const Outcome found = toolcomp("certify --controller '" + liar + "' " + program +
                                  " --known manual,sister,recollection,ours --report " + folder.path("report"));
   EXPECT_EQ(found.status, 1) << found.out << found.err;
-  EXPECT_NE(found.out.find("\n  known by "), std::string::npos) << found.out;
+  EXPECT_NE(found.out.find("\n  known as "), std::string::npos) << found.out;
   const Outcome known = toolcomp("certify --controller '" + liar + "' " + program + " --known manual --report " +
                                  folder.path("known") + " --evidence " + folder.path("known.tar.zst"));
   EXPECT_EQ(known.status, 1) << known.out << known.err;
