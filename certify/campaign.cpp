@@ -102,6 +102,7 @@ class Campaign {
       return std::move(certificate_);
     }
     certificate_.subject = std::get<Capabilities>(capabilities);
+    certificate_.subject.known = options_.known;
     certificate_.hello = first->hello();
     expect_fine_resolution(certificate_.subject, options_.accepted_resolution);
     results_.resize(total_);
@@ -414,8 +415,9 @@ class Campaign {
       if (!r.picture.empty()) certificate_.pictures.push_back({r.id, r.picture});
       // Vectors and generated programs are here to try what a control refuses, too.
       const bool beyond = r.verdict.beyond && r.origin != Origin::own;
-      const bool settled =
-          beyond || counted(r) == Result::agrees || r.result == Result::differs || r.result == Result::not_applicable;
+      const bool left_out = r.result == Result::nothing_judged && r.verdict.left_out > 0;
+      const bool settled = beyond || left_out || counted(r) == Result::agrees || r.result == Result::differs ||
+                           r.result == Result::not_applicable;
       const bool interrupted = r.result == Result::not_run && r.why.empty();
       if (!settled && !interrupted && certificate_.unsettled.size() < kMostUnsettled)
         certificate_.unsettled.push_back({r.id, r.section, r.result, r.why});

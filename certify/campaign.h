@@ -40,6 +40,7 @@ struct CampaignOptions {
   std::chrono::milliseconds timeout{10'000};  // for one answer
   std::size_t reply_limit = kReplyLimit;      // bytes of one answer
   std::string accepted_resolution;            // of the controller, where it is coarse (expect_fine_resolution)
+  spec::KnownSet known;                       // only what rests on clauses known so well is judged
   unsigned jobs = 1;                          // controllers side by side
   std::size_t shrink_runs = 2000;             // executions a finding may take
   SettlingOptions settling;                   // how long and by which clock; who is told

@@ -249,6 +249,10 @@ std::string write_capabilities(const Capabilities& capabilities) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
+fuzz::JudgeOptions judge_options(const Capabilities& capabilities) {
+  return {capabilities.fields, capabilities.resolution.numbers(), capabilities.known};
+}
+
 std::vector<std::string> all_fields() {
   // What people read or the model alone knows is not judged.
   constexpr std::array not_judged{spec::Field::message, spec::Field::clause, spec::Field::clauses};

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "fuzz/oracle/resolution.h"
+#include "fuzz/oracle/verdict.h"
 #include "spec/language/case.h"
+#include "spec/language/known.h"
 
 namespace toolcomp::certify {
 
@@ -35,7 +37,12 @@ struct Capabilities {
   std::vector<std::string> fields;  // event fields it gives; the others are not judged
   AnnouncedResolution resolution;
   std::string setup;  // JSON of the settings it cannot change; empty: none
+  // Not the controller's word but the user's (certify --known): only what rests on clauses known so well is judged.
+  spec::KnownSet known;
 };
+
+// What is judged in such a controller.
+fuzz::JudgeOptions judge_options(const Capabilities& capabilities);
 
 // Reads that answer. Unknown keys are ignored. Throws spec::InputError for text that is no such answer: not JSON, a
 // protocol other than 1, a key of the wrong type, a resolution that is no positive decimal, a setup that cannot be. A

@@ -68,6 +68,9 @@ void add(SectionResult& s, const CaseResult& r) {
   s.wide += r.verdict.wide;
   s.widths.add(r.verdict.widths);
   s.out_of_scope += r.verdict.out_of_scope;
+  s.events += r.verdict.events;
+  s.left_out += r.verdict.left_out;
+  for (const auto& [clause, events] : r.verdict.left_out_for) s.left_out_for[clause] += events;
   s.few_events += has_verdict(r) && r.verdict.events < kFewestEvents ? 1 : 0;
   s.values += r.verdict.values;
   s.decisions += r.verdict.decisions;

@@ -2,9 +2,11 @@
 #include "certify/certificate.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 #include "corpus/sha256.h"
 #include "fuzz/gen/generator.h"
@@ -30,7 +32,7 @@ bool is_decided(const Certificate& certificate) {
   for (const SectionResult& s : certificate.sections) {
     values += s.values;
     const std::uint64_t applicable = s.total() - s.count(Result::not_applicable);
-    if (s.count(Result::undecided) > 0 || (applicable > 0 && s.values == 0)) return false;
+    if (s.count(Result::undecided) > 0 || (applicable > 0 && s.values == 0 && !s.is_left_out())) return false;
   }
   return values > 0;
 }
@@ -40,6 +42,11 @@ std::uint64_t programs_cut(const Certificate& certificate) {
   std::uint64_t sum = 0;
   for (const SectionResult& s : certificate.sections) sum += s.cut_programs;
   return sum;
+}
+
+// "clauses known as manual, sister".
+std::string known_as(const Certificate& certificate) {
+  return fmt::format("clauses known as {}", fmt::join(certificate.subject.known.names(), ", "));
 }
 
 bool is_too_wide(const SectionResult& s) {
@@ -61,6 +68,40 @@ std::vector<spec::Clause> open_clauses_relied_on(const Certificate& certificate)
   });
 }
 
+std::vector<std::pair<std::string_view, spec::KnownCounts>> known_clauses(const Certificate& certificate) {
+  return spec::known_by_section([&](spec::Clause clause) {
+    const auto i = static_cast<std::size_t>(clause);
+    return i < certificate.clauses.size() && certificate.clauses[i].reached > 0 &&
+           certificate.subject.known.has(spec::info(clause).known);
+  });
+}
+
+std::string words_on_known(const Certificate& certificate) {
+  const spec::KnownCounts sum = spec::sum_of(known_clauses(certificate));
+  return fmt::format("of {} clauses judged {}", sum.total(), sum.words());
+}
+
+std::string words_on_left_out(const Certificate& certificate) {
+  if (certificate.subject.known.is_all()) return {};
+  std::uint64_t left_out = 0;
+  std::uint64_t judged = 0;
+  for (const SectionResult& s : certificate.sections) {
+    left_out += s.left_out;
+    judged += s.events;
+  }
+  return fmt::format("{} of {} events left out: they rest on other than {}", left_out, left_out + judged,
+                     known_as(certificate));
+}
+
+std::vector<std::pair<spec::Clause, std::uint64_t>> left_out_for(const Certificate& certificate) {
+  std::map<spec::Clause, std::uint64_t> sums;
+  for (const SectionResult& s : certificate.sections)
+    for (const auto& [clause, events] : s.left_out_for) sums[clause] += events;
+  std::vector<std::pair<spec::Clause, std::uint64_t>> list(sums.begin(), sums.end());
+  std::ranges::stable_sort(list, std::ranges::greater{}, &std::pair<spec::Clause, std::uint64_t>::second);
+  return list;
+}
+
 int exit_status(const Certificate& certificate) {
   if (!certificate.self_check.empty()) return 4;
   if (!certificate.findings.empty()) return 1;
@@ -71,20 +112,25 @@ int exit_status(const Certificate& certificate) {
 std::string scope(const Certificate& certificate) {
   std::size_t judged = 0;
   std::size_t not_applicable = 0;
+  std::size_t left_out = 0;
   std::uint64_t programs = 0;
   for (const SectionResult& s : certificate.sections) {
     const std::uint64_t applicable = s.total() - s.count(Result::not_applicable);
     if (s.section.empty())
       programs += applicable;
+    else if (s.is_left_out())
+      ++left_out;
     else
       ++(applicable > 0 ? judged : not_applicable);
   }
   const std::size_t all = fuzz::sections().size();
   std::string text;
-  if (judged + not_applicable > 0) {
+  if (judged + not_applicable + left_out > 0) {
     text = judged == all ? fmt::format("all {} sections", all) : fmt::format("{} of {} sections", judged, all);
     if (not_applicable > 0) text += fmt::format(", {} not applicable", not_applicable);
-    if (judged + not_applicable < all) text += fmt::format(", {} not asked for", all - judged - not_applicable);
+    if (left_out > 0) text += fmt::format(", {} left out", left_out);
+    if (const std::size_t seen = judged + not_applicable + left_out; seen < all)
+      text += fmt::format(", {} not asked for", all - seen);
   }
   if (programs > 0)
     text += fmt::format("{}{} program{}", text.empty() ? "" : " and ", programs, programs == 1 ? "" : "s");
@@ -94,7 +140,8 @@ std::string scope(const Certificate& certificate) {
 std::string verdict(const Certificate& certificate) {
   switch (exit_status(certificate)) {
     case 0:
-      return "conforms in " + scope(certificate);
+      return "conforms in " + scope(certificate) +
+             (certificate.subject.known.is_all() ? "" : ", as far as " + known_as(certificate) + " go");
     case 1:
       return "does not conform";
     case 4:

@@ -6,9 +6,11 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "certify/capabilities.h"
@@ -17,6 +19,7 @@
 #include "certify/judge.h"
 #include "certify/occasion.h"
 #include "model/basis/recorder.h"
+#include "spec/language/known.h"
 
 namespace toolcomp::certify {
 
@@ -25,26 +28,31 @@ enum class Origin : std::uint8_t { golden, generated, own };
 
 // The sums of one section. Lengths in micrometres.
 struct SectionResult {
-  std::string section;                            // empty: programs of the user's own
-  std::array<std::uint64_t, 3> cases{};           // by origin
-  std::array<std::uint64_t, kResults> results{};  // by Result
-  std::uint64_t values = 0;                       // judged
-  std::uint64_t decisions = 0;                    // of the model, by sign
-  std::uint64_t near_ties = 0;                    // decisions inside their band
-  std::uint64_t ties = 0;                         // near ties in which the other, permitted, outcome was taken
-  std::uint64_t wide = 0;                         // values that were granted more than policy::kCap: not judged
-  std::uint64_t cut_cases = 0;                    // judged up to a block that goes beyond what is supported
-  std::uint64_t cut_programs = 0;                 // the user's own among them
-  std::uint64_t wide_cases = 0;                   // cases with more than policy::kMostWide of such
-  std::uint64_t out_of_scope = 0;                 // events behind one of reason OUT_OF_SCOPE
-  std::uint64_t few_events = 0;                   // cases with a verdict and fewer than three events judged
-  fuzz::Widths widths;                            // that were granted
-  double worst_ulp = 0;                           // in the units the verdict policy multiplies by its k
+  std::string section;                                 // empty: programs of the user's own
+  std::array<std::uint64_t, 3> cases{};                // by origin
+  std::array<std::uint64_t, kResults> results{};       // by Result
+  std::uint64_t values = 0;                            // judged
+  std::uint64_t decisions = 0;                         // of the model, by sign
+  std::uint64_t near_ties = 0;                         // decisions inside their band
+  std::uint64_t ties = 0;                              // near ties in which the other, permitted, outcome was taken
+  std::uint64_t wide = 0;                              // values that were granted more than policy::kCap: not judged
+  std::uint64_t cut_cases = 0;                         // judged up to a block that goes beyond what is supported
+  std::uint64_t cut_programs = 0;                      // the user's own among them
+  std::uint64_t wide_cases = 0;                        // cases with more than policy::kMostWide of such
+  std::uint64_t out_of_scope = 0;                      // events behind one of reason OUT_OF_SCOPE
+  std::uint64_t events = 0;                            // of the model, judged
+  std::uint64_t left_out = 0;                          // and not, for Capabilities::known
+  std::map<spec::Clause, std::uint64_t> left_out_for;  // of them, how many rest on this clause
+  std::uint64_t few_events = 0;                        // cases with a verdict and fewer than three events judged
+  fuzz::Widths widths;                                 // that were granted
+  double worst_ulp = 0;                                // in the units the verdict policy multiplies by its k
   double worst_um = 0;
   fuzz::Bias bias;  // of rounded lengths
 
   [[nodiscard]] std::uint64_t count(Result result) const { return results[static_cast<std::size_t>(result)]; }
   [[nodiscard]] std::uint64_t count(Origin origin) const { return cases[static_cast<std::size_t>(origin)]; }
+  // Nothing was judged, for Capabilities::known alone.
+  [[nodiscard]] bool is_left_out() const { return values == 0 && left_out > 0; }
   [[nodiscard]] std::uint64_t total() const { return cases[0] + cases[1] + cases[2]; }
 };
 
@@ -99,9 +107,19 @@ std::vector<spec::Clause> clauses_not_exercised(const Certificate& certificate);
 // Open clauses that were reached: results that rest on a definition of ours.
 std::vector<spec::Clause> open_clauses_relied_on(const Certificate& certificate);
 
+// How well the clauses are known that were reached and judged by, by section.
+std::vector<std::pair<std::string_view, spec::KnownCounts>> known_clauses(const Certificate& certificate);
+// "of 214 clauses judged 61 are the manual's, 40 a sister's, 70 recollection, 43 ours".
+std::string words_on_known(const Certificate& certificate);
+// What was left out because of Capabilities::known: "812 of 2000 events left out: they rest on clauses that are not
+// known as manual, sister"; empty: everything is to be judged.
+std::string words_on_left_out(const Certificate& certificate);
+// Those clauses, with how many of these events rest on each, the most first.
+std::vector<std::pair<spec::Clause, std::uint64_t>> left_out_for(const Certificate& certificate);
+
 // 4 a self-check failed; 1 a finding; 3 it was interrupted, the oracle could not decide a case, a section that applies
-// had no value judged, or more than policy::kMostWide of the values of a section or of an own case were not judged;
-// else 0.
+// had no value judged (but one of which all is left out), or more than policy::kMostWide of the values of a section or
+// of an own case were not judged; else 0.
 int exit_status(const Certificate& certificate);
 // "conforms in 1 of 12 sections, 11 not applicable", "does not conform", "not decided", "not decided: interrupted",
 // "conforms only in part (…): more than 1 % not judged", "self-check failed".

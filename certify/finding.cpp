@@ -3,11 +3,14 @@
 
 #include <charconv>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "spec/language/case_document.h"
 #include "spec/language/case_format.h"
 #include "spec/language/input_error.h"
+#include "spec/language/known.h"
 #include "spec/language/outside_json.h"
 
 namespace toolcomp::certify {
@@ -47,7 +50,23 @@ double number_of(const Node& root, const char* key, const Reader& read) {
   return value;
 }
 
+spec::KnownSet known_of(const Node& judged, const Reader& read) {
+  read.expect(judged, Kind::array, "judged");
+  std::vector<std::string> names;
+  for (const Node& item : judged.items) names.push_back(read.string(item, "judged"));
+  try {
+    return spec::KnownSet::of(names);
+  } catch (const std::invalid_argument& error) {
+    read.fail(judged.at, std::string("judged: ") + error.what());
+  }
+}
+
 }  // namespace
+
+std::string how_known(const Finding& finding) {
+  const auto clause = spec::find_clause(finding.key.clause);
+  return clause ? spec::cited(spec::info(*clause)) : std::string();
+}
 
 std::string write_finding(const Finding& finding) {
   std::string out = "{\"finding\": 1";
@@ -59,6 +78,11 @@ std::string write_finding(const Finding& finding) {
   };
   add("kind", quoted(finding.key.kind));
   add("clause", finding.key.clause.empty() ? "null" : quoted(finding.key.clause));
+  if (const auto clause = spec::find_clause(finding.key.clause)) {
+    add("known", quoted(std::string(spec::known_name(spec::info(*clause).known))));
+    add("source", quoted(how_known(finding)));
+  }
+  if (!finding.subject.known.is_all()) add("judged", Json(finding.subject.known.names()).dump());
   add("line", std::to_string(finding.line));
   add("field", quoted(finding.field));
   add("expected", quoted(finding.expected));
@@ -101,11 +125,11 @@ Finding read_finding(std::string_view text, const std::string& file) {
     finding.first_case = finding.smallest.id;
     return finding;
   }
-  read.keys(root, "finding",
-            {"finding",      "kind",       "clause",      "line",       "field",      "expected",     "actual",
-             "deviation_um", "status",     "errors",      "controller", "directory",  "capabilities", "seed",
-             "tool",         "first_case", "occurrences", "seen",       "tried",      "before",       "case",
-             "target",       "executions", "seconds",     "alone",      "not_settled"});
+  read.keys(root, "finding", {"finding",      "kind",         "clause", "line",       "field",       "expected",
+                              "actual",       "deviation_um", "status", "errors",     "controller",  "directory",
+                              "capabilities", "seed",         "tool",   "first_case", "occurrences", "seen",
+                              "tried",        "before",       "case",   "target",     "executions",  "seconds",
+                              "alone",        "not_settled",  "known",  "source",     "judged"});
   (void)read.integer(*root.find("finding"), "finding", 1, 1);
   finding.smallest = spec::case_from(read.needed(root, "case"), read);
   finding.key = {finding.smallest.section, text_of(root, "clause", read), text_of(root, "kind", read)};
@@ -123,6 +147,11 @@ Finding read_finding(std::string_view text, const std::string& file) {
     read.expect(*capabilities, Kind::table, "capabilities");
     finding.subject = capabilities_from(spec::tree_of(*capabilities, read));
   }
+  // Both are said anew, by the clauses that are built in.
+  if (const std::string known = text_of(root, "known", read); !known.empty() && !spec::find_known(known))
+    read.fail(root.find("known")->at, "known: must be manual, sister, recollection or ours");
+  (void)text_of(root, "source", read);
+  if (const Node* judged = given(root, "judged")) finding.subject.known = known_of(*judged, read);
   finding.seed = text_of(root, "seed", read);
   finding.target = text_of(root, "target", read);
   finding.executions = count_of(root, "executions", read, 0);

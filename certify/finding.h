@@ -55,6 +55,9 @@ std::string write_finding(const Finding& finding);
 // Reads a finding, or a bare case as a finding without a kind. Throws spec::InputError; unknown keys are errors.
 Finding read_finding(std::string_view text, const std::string& file);
 
+// How its clause is known, before it accuses anybody: "manual: A-78438E, page 23"; empty: it rests on no clause.
+std::string how_known(const Finding& finding);
+
 // With what it was found by: this build, in this folder, with that command and seed.
 Finding signed_finding(Finding finding, const std::string& controller, std::uint64_t seed);
 

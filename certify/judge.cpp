@@ -15,6 +15,7 @@ namespace toolcomp::certify {
 namespace {
 
 constexpr const char* kNoValue = "the program makes no value that is judged";
+constexpr const char* kLeftOutWhole = "every value rests on clauses that are left out";
 
 // The last clause among those of the events before and at `last`; where none was applied, a move is wrong that is
 // nothing but its block's own.
@@ -178,7 +179,7 @@ Judgement judged_answer(const Capabilities& capabilities, const spec::Case& c, c
   }
   if (const auto* events = std::get_if<ExactEvents>(&answer.result)) return exactly(c, run, *events);
   if (answer.missing) return missing_field(*answer.missing, run);
-  const fuzz::JudgeOptions options{capabilities.fields, capabilities.resolution.numbers()};
+  const fuzz::JudgeOptions options = judge_options(capabilities);
   const auto* const text = std::get_if<TextEvents>(&answer.result);
   fuzz::Verdict verdict = text != nullptr ? fuzz::judge(c, run, *text, options)
                                           : fuzz::judge(c, run, std::get<FastEvents>(answer.result), options);
@@ -207,7 +208,7 @@ Judgement judged(fuzz::Verdict verdict) {
     j.why = words_on_wide(j.verdict.values, j.verdict.wide);
   }
   if (j.result == Result::agrees && j.verdict.beyond) j.result = Result::partly_judged;
-  if (j.result == Result::nothing_judged) j.why = kNoValue;
+  if (j.result == Result::nothing_judged) j.why = j.verdict.left_out > 0 ? kLeftOutWhole : kNoValue;
   if (j.verdict.beyond && (j.result == Result::partly_judged || j.result == Result::nothing_judged))
     j.why = words_on_beyond(*j.verdict.beyond);
   return j;

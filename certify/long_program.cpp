@@ -23,10 +23,11 @@ bool breaks_a_law(const Beginning& beginning) {
 // The fields that agree are added to `fields`.
 std::optional<fuzz::Agreed> agreement(const Capabilities& capabilities, const spec::Case& c, const Answer* answer,
                                       spec::FieldSet& fields) {
-  if (answer == nullptr) return fuzz::streamed_agreement(c);
+  if (answer == nullptr)
+    return fuzz::streamed_agreement(c, {.fields = {}, .resolution = {}, .known = capabilities.known});
   const auto* const events = std::get_if<TextEvents>(&answer->result);
   if (events == nullptr || answer->missing || !meets_minimum(capabilities)) return std::nullopt;
-  return fuzz::streamed_agreement(c, *events, {capabilities.fields, capabilities.resolution.numbers()},
+  return fuzz::streamed_agreement(c, *events, judge_options(capabilities),
                                   [&fields](const model::Event& event) { fields.add(fields_of(event)); });
 }
 

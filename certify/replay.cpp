@@ -78,7 +78,8 @@ Replay replay(const std::filesystem::path& file, const ReplayOptions& options) {
     result.key = key_of(c, result.judgement);
     return result;
   }
-  const auto& able = std::get<Capabilities>(capabilities);
+  auto able = std::get<Capabilities>(capabilities);
+  able.known = result.finding.subject.known;
   if (!result.finding.subject.name.empty() && named(able) != named(result.finding.subject))
     result.other_subject = named(able);
   for (std::uint64_t left = tries_for(result.finding); left > 0; --left) {

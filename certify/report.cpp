@@ -12,6 +12,7 @@
 #include "certify/junit.h"
 #include "certify/markup.h"
 #include "spec/language/file_writer.h"
+#include "spec/language/known.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -40,6 +41,8 @@ Json to_json(const SectionResult& s) {
   json["cases_with_more_than_1_percent_not_judged"] = s.wide_cases;
   json["cases_not_judged_to_their_end"] = s.cut_cases;
   json["events_out_of_scope"] = s.out_of_scope;
+  json["events"] = s.events;
+  json["events_left_out"] = s.left_out;
   json["cases_with_fewer_than_three_events"] = s.few_events;
   json["worst_um"] = s.worst_um;
   json["worst_ulp"] = s.worst_ulp;
@@ -53,6 +56,9 @@ Json to_json(const Finding& f, std::size_t index) {
   json["file"] = "findings/" + file_name(f, index);
   json["section"] = f.key.section;
   json["clause"] = f.key.clause.empty() ? Json() : Json(f.key.clause);
+  const auto clause = spec::find_clause(f.key.clause);
+  json["known"] = clause ? Json(spec::known_name(spec::info(*clause).known)) : Json();
+  json["source"] = clause ? Json(how_known(f)) : Json();
   json["kind"] = f.key.kind;
   json["line"] = f.line;
   json["field"] = f.field;
@@ -77,9 +83,16 @@ Json to_json(const Finding& f, std::size_t index) {
 std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 std::string failure(const Finding& f) {
-  return fmt::format(R"(<failure type="{}" message="{}">{}</failure>)", escape(f.key.kind),
-                     escape(f.not_settled.empty() ? explanation(f) : explanation(f) + " Not settled: " + f.not_settled),
+  std::string message = accusation(f);
+  if (!f.not_settled.empty()) message += " Not settled: " + f.not_settled;
+  return fmt::format(R"(<failure type="{}" message="{}">{}</failure>)", escape(f.key.kind), escape(message),
                      escape(f.smallest.program));
+}
+
+Json to_json(const spec::KnownCounts& counts) {
+  Json json;
+  for (const spec::Known known : spec::kAllKnown) json[std::string(spec::known_name(known))] = counts.of(known);
+  return json;
 }
 
 // The findings of a section on a clause (empty: on none).
@@ -167,6 +180,11 @@ std::string explanation(const Finding& f) {
   return text + ".";
 }
 
+std::string accusation(const Finding& f) {
+  const std::string known = how_known(f);
+  return known.empty() ? explanation(f) : fmt::format("Rests on {} [{}]. {}", f.key.clause, known, explanation(f));
+}
+
 std::string how_it_comes(const Finding& f) {
   std::string text;
   if (!f.before.empty())
@@ -229,6 +247,12 @@ std::string json_report(const Certificate& c) {
   }
   json["clauses_not_exercised"] = clause_ids(clauses_not_exercised(c));
   json["open_clauses_relied_on"] = clause_ids(open_clauses_relied_on(c));
+  const auto known = known_clauses(c);
+  json["known"] = {{"clauses", to_json(spec::sum_of(known))}, {"sections", Json::object()}};
+  for (const auto& [section, counts] : known) json["known"]["sections"][std::string(section)] = to_json(counts);
+  json["left_out"] = {{"judged", c.subject.known.names()}, {"clauses", Json::object()}};
+  for (const auto& [clause, events] : left_out_for(c))
+    json["left_out"]["clauses"][std::string(spec::info(clause).id)] = events;
   return dump(json);
 }
 

@@ -51,6 +51,8 @@ void write_report(const TraceReport& report, const std::filesystem::path& folder
 std::string file_name(const Finding& finding, std::size_t index);
 // One or two sentences on what differs.
 std::string explanation(const Finding& finding);
+// The same, with the clause it rests on and how that is known before it.
+std::string accusation(const Finding& finding);
 // Where it does not come every time and by itself: ", after 49 requests before it", ", in 3 of 10 runs", ", not
 // settled: no time was left".
 std::string how_it_comes(const Finding& finding);

@@ -12,6 +12,7 @@
 #include "certify/view/view.h"
 #include "fuzz/gen/generator.h"
 #include "fuzz/oracle/policy.h"
+#include "spec/language/known.h"
 #include "spec/language/setup_format.h"
 
 namespace toolcomp::certify {
@@ -52,6 +53,8 @@ SectionResult all_sections(const Certificate& c) {
     all.wide_cases += s.wide_cases;
     all.cut_cases += s.cut_cases;
     all.out_of_scope += s.out_of_scope;
+    all.events += s.events;
+    all.left_out += s.left_out;
     all.few_events += s.few_events;
     all.ties += s.ties;
     all.near_ties += s.near_ties;
@@ -69,6 +72,8 @@ std::string plural(std::uint64_t n, std::string_view what) {
 // What the verdict says nothing about: HTML, an item each.
 std::vector<std::string> not_judged(const Certificate& c, const SectionResult& all) {
   std::vector<std::string> items;
+  if (const std::string left_out = words_on_left_out(c); !left_out.empty())
+    items.push_back("<span class=\"bad\">" + escape(left_out) + "</span> (<a href=\"#left-out\">which</a>)");
   if (const std::uint64_t not_run = cases_not_run(c); not_run > 0 || !c.interrupted.empty())
     items.push_back(fmt::format("<span class=\"bad\">{} not run{}</span>", plural(not_run, "case"),
                                 c.interrupted.empty() ? "" : ": " + escape(c.interrupted)));
@@ -139,6 +144,7 @@ std::string first_page(const Certificate& c) {
       escape(scope(c)), plural(all.total(), "case"), plural(c.sections.size(), "section"), all.count(Result::agrees),
       all.count(Result::differs), plural(c.findings.size(), "finding"), all.count(Result::undecided), all.values,
       small(all.worst_um), small(all.worst_ulp));
+  out += "<p id=\"rests-on\">What it rests on: " + escape(words_on_known(c)) + ".</p>\n";
   if (all.bias.count > 0)
     out += fmt::format(
         "<p>Of {} rounded lengths the mean lies {:+.3g} µm off the exact one, the worst {:+.3g} µm: rounding to "
@@ -204,16 +210,14 @@ std::string clause_words(const Finding& f) {
   const auto clause = spec::find_clause(f.key.clause);
   if (!clause) return "<p>No clause was applied before the difference.</p>\n";
   const spec::ClauseInfo& info = spec::info(*clause);
-  std::string source(info.document);
-  if (!info.page.empty()) source += ", page " + std::string(info.page);
-  return "<p>Clause " + code(info.id) + " <span class=\"soft\">(" + escape(kind_name(info.kind)) +
-         (source.empty() ? "" : "; " + escape(source)) + ")</span>: " + escape(info.text) + "</p>\n";
+  return "<p>Clause " + code(info.id) + " <span class=\"soft\">(" + escape(kind_name(info.kind)) + "; " +
+         escape(spec::cited(info)) + ")</span>: " + escape(info.text) + "</p>\n";
 }
 
 std::string finding(const Finding& f, std::size_t index) {
   std::string out = fmt::format("<article id=\"finding-{}\">\n<h3>{}. {} <span class=\"soft\">in {}</span></h3>\n",
                                 index + 1, index + 1, escape(f.key.kind), escape(section_name(f.key.section)));
-  out += "<p>" + escape(explanation(f)) + "</p>\n" + clause_words(f);
+  out += clause_words(f) + "<p>" + escape(explanation(f)) + "</p>\n";
   std::vector<Row> rows{{"field", code(f.field)}, {"expected", code(f.expected)}, {"actual", code(f.actual)}};
   if (f.deviation_um != 0) rows.push_back({"deviation", escape(small(f.deviation_um)) + " µm"});
   rows.push_back({"cases", fmt::format("{}, the first {}", f.occurrences, code(f.first_case))});
@@ -238,6 +242,11 @@ std::string finding(const Finding& f, std::size_t index) {
   return out + "</article>\n";
 }
 
+std::string known_word(const std::string& id) {
+  const auto clause = spec::find_clause(id);
+  return clause ? escape(spec::known_name(spec::info(*clause).known)) : "—";
+}
+
 // Its row among all findings; where another stands for its group, that is all there is of it.
 Row finding_row(const Finding& f, std::size_t index, bool shown) {
   const std::string number = shown ? fmt::format("<a href=\"#finding-{0}\">{0}</a>", index + 1)
@@ -245,6 +254,7 @@ Row finding_row(const Finding& f, std::size_t index, bool shown) {
   return {number,
           code(section_name(f.key.section)),
           f.key.clause.empty() ? "—" : code(f.key.clause),
+          known_word(f.key.clause),
           escape(f.key.kind),
           f.not_settled.empty() ? "yes" : "no: " + escape(f.not_settled),
           code("findings/" + file_name(f, index)),
@@ -267,9 +277,9 @@ std::string findings(const Certificate& c) {
            escape(words_on_settling(c)) +
            ": asked again and shortened. The other findings are as they were seen.</p>\n";
   }
-  std::vector<Row> rows{{"", "section", "clause of first divergence", "kind", "settled", "file", "cases"}};
+  std::vector<Row> rows{{"", "section", "clause of first divergence", "known", "kind", "settled", "file", "cases"}};
   for (std::size_t i = 0; i < c.findings.size(); ++i) rows.push_back(finding_row(c.findings[i], i, shown[i]));
-  out += table(rows, 6);
+  out += table(rows, 7);
   for (std::size_t i = 0; i < c.findings.size(); ++i)
     if (shown[i]) out += finding(c.findings[i], i);
   return out;
@@ -290,7 +300,7 @@ std::string outcome(const spec::ClauseInfo& clause, std::uint64_t n, spec::Claus
 
 // The clauses of one section with their outcomes.
 std::string clause_table(const Certificate& c, std::string_view section) {
-  std::vector<Row> rows{{"clause", "kind", "text", "reached", "+ / true", "− / false", "tie"}};
+  std::vector<Row> rows{{"clause", "kind", "known", "text", "reached", "+ / true", "− / false", "tie"}};
   std::size_t reached = 0;
   for (std::size_t i = 0; i < spec::clauses().size() && i < c.clauses.size(); ++i) {
     const spec::ClauseInfo& info = spec::clauses()[i];
@@ -300,7 +310,7 @@ std::string clause_table(const Certificate& c, std::string_view section) {
     std::string text = escape(info.text);
     if (!info.formula.empty()) text += " <code>" + escape(info.formula) + "</code>";
     if (!info.testable) text += " <span class=\"soft\">(not testable: " + escape(info.reason) + ")</span>";
-    rows.push_back({code(info.id), escape(kind_name(info.kind)), text,
+    rows.push_back({code(info.id), escape(kind_name(info.kind)), escape(spec::known_name(info.known)), text,
                     n.reached > 0 ? count(n.reached) : "<span class=\"open\">0</span>",
                     outcome(info, n.positive, spec::ClauseOutcomes::fact),
                     outcome(info, n.negative, spec::ClauseOutcomes::fact),
@@ -309,7 +319,7 @@ std::string clause_table(const Certificate& c, std::string_view section) {
   if (rows.size() == 1) return {};
   return fmt::format("<details open=\"open\"><summary>{}: {} of {} clauses exercised</summary>\n", code(section),
                      reached, rows.size() - 1) +
-         table(rows, 3) + "</details>\n";
+         table(rows, 4) + "</details>\n";
 }
 
 std::string clause_list(std::string_view id, std::string_view title, std::string_view note,
@@ -322,8 +332,38 @@ std::string clause_list(std::string_view id, std::string_view title, std::string
   return out + "</ul>\n";
 }
 
+// How well the clauses judged are known, by section.
+std::string known_table(const Certificate& c) {
+  std::vector<Row> rows{{"section", "clauses", "manual", "sister", "recollection", "ours"}};
+  for (const auto& [section, counts] : known_clauses(c)) {
+    Row row{code(section), count(counts.total())};
+    for (const spec::Known known : spec::kAllKnown) row.push_back(count(counts.of(known)));
+    rows.push_back(std::move(row));
+  }
+  return "<h3>What they rest on</h3>\n<p>" + escape(words_on_known(c)) +
+         ".</p>\n<p class=\"soft\">manual: a page of a manual of this control was seen; sister: one of another series, "
+         "or of "
+         "another vendor with the same rule; recollection: the text of a section, from memory; ours: our "
+         "definition.</p>\n" +
+         table(rows, 1);
+}
+
+// Clauses on which events rest that were not judged.
+std::string left_out(const Certificate& c) {
+  const std::string words = words_on_left_out(c);
+  if (words.empty()) return {};
+  std::vector<Row> rows{{"clause", "known", "events"}};
+  for (const auto& [clause, events] : left_out_for(c))
+    rows.push_back({code(spec::info(clause).id), escape(spec::cited(spec::info(clause))), count(events)});
+  return "<h3 id=\"left-out\">Left out</h3>\n<p>" + escape(words) +
+         ". An event may rest on several clauses; events behind one in which the controller does otherwise are left "
+         "out "
+         "without a clause of their own.</p>\n" +
+         table(rows, 2);
+}
+
 std::string clauses(const Certificate& c) {
-  std::string out = "<h2 id=\"clauses\">Clauses</h2>\n";
+  std::string out = "<h2 id=\"clauses\">Clauses</h2>\n" + known_table(c) + left_out(c);
   std::vector<std::string_view> shown;
   for (std::size_t i = 0; i < spec::clauses().size() && i < c.clauses.size(); ++i) {
     const std::string_view section = spec::clauses()[i].section;

@@ -9,6 +9,7 @@
 #include "certify/report.h"
 #include "certify/sarif.h"
 #include "corpus/sha256.h"
+#include "spec/language/known.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -32,7 +33,7 @@ Json rule(const std::string& id) {
   std::string help(info.text);
   if (!info.formula.empty()) help += fmt::format("\n\n{}", info.formula);
   json["help"] = text(help + fmt::format("\n\ntoolcomp spec show {}", id));
-  json["properties"] = {{"section", info.section}, {"kind", kind_name(info.kind)}};
+  json["properties"] = {{"section", info.section}, {"kind", kind_name(info.kind)}, {"known", spec::cited(info)}};
   return json;
 }
 
@@ -67,7 +68,7 @@ Json result(const Certificate& c, const SharedCause& group, const std::vector<st
   const std::string id = rule_of(first.key);
   Json json{{"ruleId", id}, {"ruleIndex", std::ranges::find(rules, id) - rules.begin()}, {"level", "error"}};
   const std::string message =
-      fmt::format("{} ({} findings). The first: {}{}", group.words, group.findings.size(), explanation(first),
+      fmt::format("{} ({} findings). The first: {}{}", group.words, group.findings.size(), accusation(first),
                   first.not_settled.empty() ? "" : " Not settled: " + first.not_settled + ".");
   json["message"] = text(message);
   json["locations"] = Json::array({location(first, group.findings.front())});
@@ -82,7 +83,9 @@ Json result(const Certificate& c, const SharedCause& group, const std::vector<st
 
 Json invocation(const Certificate& c) {
   Json json{{"executionSuccessful", exit_status(c) <= 1}, {"exitCode", exit_status(c)}};
-  Json notes = Json::array({notification("note", verdict(c))});
+  Json notes = Json::array({notification("note", verdict(c)), notification("note", words_on_known(c))});
+  if (const std::string left_out = words_on_left_out(c); !left_out.empty())
+    notes.push_back(notification("warning", left_out));
   if (!c.causes.empty()) notes.push_back(notification("note", words_on_settling(c)));
   if (!c.self_check.empty()) notes.push_back(notification("error", "self-check failed: " + c.self_check));
   if (!c.interrupted.empty()) notes.push_back(notification("warning", c.interrupted));

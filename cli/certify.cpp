@@ -31,7 +31,9 @@
 #include "spec/language/byte_source.h"
 #include "spec/language/case_format.h"
 #include "spec/language/input_error.h"
+#include "spec/language/known.h"
 #include "spec/language/printable.h"
+#include "spec/language/split.h"
 
 namespace toolcomp::cli {
 namespace {
@@ -110,6 +112,22 @@ std::string command_of(const std::string& controller) {
 
 bool is_ours(const std::string& controller) { return controller == kSpecification || controller == kFastEngine; }
 
+spec::KnownSet known_of(const CertifyOptions& options) {
+  if (!options.known) return {};
+  std::vector<std::string> names;
+  for (const std::string_view name : spec::split(*options.known, ',')) names.emplace_back(name);
+  try {
+    return spec::KnownSet::of(names);
+  } catch (const std::invalid_argument& error) {
+    usage(std::string("--known: ") + error.what());
+  }
+}
+
+// A recording is held against the path whole: one place leads to the next.
+void refuse_known(const CertifyOptions& options) {
+  if (options.known) usage("--known is for controllers that answer; a recording is judged whole");
+}
+
 std::optional<certify::Adapter> adapter_named(const CertifyOptions& options) {
   if (is_ours(options.controller)) return std::nullopt;
   if (!certify::is_adapter_name(options.controller)) return std::nullopt;
@@ -172,6 +190,7 @@ void print(const certify::SectionResult& s) {
       s.count(certify::Result::undecided), s.values, s.ties, s.worst_ulp, s.worst_um, s.wide, s.out_of_scope,
       s.few_events);
   if (const std::uint64_t part = s.count(certify::Result::partly_judged); part > 0) fmt::print(", {} in part", part);
+  if (s.left_out > 0) fmt::print(", {} of {} events left out", s.left_out, s.left_out + s.events);
   if (not_applicable > 0) fmt::print(", {} not applicable", not_applicable);
   if (const std::uint64_t not_run = s.count(certify::Result::not_run); not_run > 0) fmt::print(", {} not run", not_run);
   fmt::print("\n");
@@ -180,9 +199,11 @@ void print(const certify::SectionResult& s) {
 // A group of findings, by the one that stands for it.
 void print(const certify::SharedCause& group, const certify::Finding& finding, const fs::path& file) {
   const bool explained = !group.words.starts_with("not explained");
-  fmt::print("\n{} {} {} ({} cases, first {}{})\n  {}{}, in {} finding{}\n  {}\n{}  toolcomp replay {}\n",
+  const std::string known = certify::how_known(finding);
+  fmt::print("\n{} {} {} ({} cases, first {}{})\n{}  {}{}, in {} finding{}\n  {}\n{}  toolcomp replay {}\n",
              painted(Paint::bad, "FINDING", Stream::out), finding.key.kind, finding.key.clause, group.cases,
-             spec::printable(finding.first_case), certify::how_it_comes(finding), explained ? "looks like: " : "",
+             spec::printable(finding.first_case), certify::how_it_comes(finding),
+             known.empty() ? "" : fmt::format("  known as {}\n", known), explained ? "looks like: " : "",
              spec::printable(group.words), group.findings.size(), group.findings.size() == 1 ? "" : "s",
              spec::printable(certify::explanation(finding), 2000), spec::printable_lines(finding.smallest.program),
              file.string());
@@ -209,6 +230,9 @@ void print(const certify::Certificate& certificate, const std::vector<fs::path>&
       fmt::print("{}: {}\n", shown(section.section), certify::words_on_wide(section.values, section.wide));
   if (const std::uint64_t not_run = certify::cases_not_run(certificate); not_run > 0)
     fmt::print("{} cases not run{}\n", not_run, certificate.interrupted.empty() ? "" : ": " + certificate.interrupted);
+  fmt::print("{}\n", certify::words_on_known(certificate));
+  if (const std::string left_out = certify::words_on_left_out(certificate); !left_out.empty())
+    std::cerr << painted(Paint::doubtful, left_out, Stream::err) << '\n';
   const int status = certify::exit_status(certificate);
   const Paint paint = status == kAgrees ? Paint::good : status == kDiffers ? Paint::bad : Paint::doubtful;
   fmt::print("{}; seed {}; {:.0f} s; {}\n", painted(paint, certify::verdict(certificate), Stream::out),
@@ -243,6 +267,7 @@ int certify(const CertifyOptions& options) {
   }
   expect_folder(options.report, "--report");
   if (!options.trace.empty()) {
+    refuse_known(options);
     refuse_evidence(options, "a trace has no answers to keep: the file of the recording is the evidence");
     return certify_trace(options);
   }
@@ -255,6 +280,7 @@ int certify(const CertifyOptions& options) {
   if (adapter) {
     certify::expect_programs(*adapter);
     if (adapter->kind == certify::AdapterKind::trace) {
+      refuse_known(options);
       refuse_evidence(options,
                       "a controller that is recorded has no answers to keep: its recordings are in the report");
       return certify_adapter(options, *adapter, read_inputs(options), tolerances_of(options), occasion_of(options));
@@ -264,6 +290,7 @@ int certify(const CertifyOptions& options) {
   campaign.sections = options.sections;
   campaign.seed = options.seed;
   campaign.accepted_resolution = options.accept_resolution;
+  campaign.known = known_of(options);
   campaign.settling.budget = options.settle == "0" ? std::chrono::seconds(0) : duration_of(options.settle, "--settle");
   campaign.timeout = std::chrono::milliseconds(std::llround(options.timeout * 1000));
   for (spec::Case& c : read_inputs(options)) campaign.cases.push_back({std::move(c), certify::Origin::own});

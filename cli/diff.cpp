@@ -13,6 +13,7 @@
 #include "cli/progress.h"
 #include "cli/verbs.h"
 #include "fuzz/oracle/verdict.h"
+#include "spec/language/known.h"
 #include "spec/language/printable.h"
 
 namespace toolcomp::cli {
@@ -27,7 +28,7 @@ void print_difference(const fuzz::Difference& difference, const Place& place) {
   if (difference.deviation_um != 0) fmt::print("  deviation {:.6g} µm\n", difference.deviation_um);
   if (!difference.clause) return;
   const spec::ClauseInfo& clause = spec::info(*difference.clause);
-  fmt::print("  clause    {}\n            {}\n", clause.id, clause.text);
+  fmt::print("  clause    {}\n  known as  {}\n            {}\n", clause.id, spec::cited(clause), clause.text);
 }
 
 namespace {

@@ -6,12 +6,14 @@
 #include <string>
 #include <string_view>
 
+#include "certify/certificate.h"
 #include "certify/explained.h"
 #include "cli/program.h"
 #include "cli/verbs.h"
 #include "fast/basis/print.h"
 #include "model/basis/print.h"
 #include "spec/language/event_format.h"
+#include "spec/language/known.h"
 
 namespace toolcomp::cli {
 namespace {
@@ -52,14 +54,15 @@ std::string exact_text(const exact::Real& value, int digits) {
 }
 
 void print_clause(const spec::ClauseInfo& clause) {
-  fmt::print("  clause   {}  [{}]\n      {}\n", clause.id,
-             clause.kind == spec::ClauseKind::open ? "open: our definition" : clause.provenance, clause.text);
+  fmt::print("  clause   {}  [{}; {}]\n      {}\n", clause.id, certify::kind_name(clause.kind), spec::cited(clause),
+             clause.text);
   if (!clause.formula.empty()) fmt::print("      {}\n", clause.formula);
 }
 
 void print_decision(const model::Decision& decision, int digits) {
   const spec::ClauseInfo& clause = spec::info(decision.clause);
-  fmt::print("  decision {}\n      {}\n", clause.id, clause.text);
+  fmt::print("  decision {}  [{}; {}]\n      {}\n", clause.id, certify::kind_name(clause.kind), spec::cited(clause),
+             clause.text);
   if (!clause.formula.empty()) fmt::print("      {}\n", clause.formula);
   fmt::print("      exact   {} {}\n", exact_text(decision.quantity, digits), comparison(decision.outcome));
   const exact::DoubleEnclosure enclosure = decision.quantity.double_enclosure();

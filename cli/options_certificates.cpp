@@ -59,6 +59,8 @@ void define_certify(CommandLine& line) {
        "says so")
       ->capture_default_str();
   take_accept_resolution(sub, options->accept_resolution);
+  take(sub, "--known", options->known, "KINDS",
+       "manual,sister,recollection,ours: only what rests on clauses known so well is judged (default: all)");
   sub->add_flag("--widths", options->widths, "Print how wide what the verdict policy grants is, section by section");
   take(sub, "--tolerance", options->tolerance, "LENGTH",
        "Trace, adapter that records: greatest distance from the exact path, in the units of the events");

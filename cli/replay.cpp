@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // toolcomp replay: a finding, judged again.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -62,6 +63,8 @@ int replay(const ReplayOptions& options) {
   std::string asked = "asked: " + (replay.asked.empty() ? "the built-in fast engine" : replay.asked);
   if (const std::size_t before = replay.finding.before.size(); before > 0)
     asked += fmt::format(", after {} requests before it", before);
+  if (const spec::KnownSet& known = replay.finding.subject.known; !known.is_all())
+    asked += fmt::format("; judged is what rests on clauses known as {}", fmt::join(known.names(), ", "));
   if (!replay.other_subject.empty()) asked += "; it is another now: " + replay.other_subject;
   note(spec::printable(asked, kMostShown));
   std::string result(certify::name(replay.judgement.result));

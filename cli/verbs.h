@@ -78,6 +78,7 @@ struct CertifyOptions {
   std::string tolerance;
   std::string rotary_tolerance;
   std::string frame = "workpiece";
+  std::optional<std::string> known;      // "manual,sister"; none: all
   bool widths = false;                   // print how wide what the policy granted is
   std::string accept_resolution;         // a decimal
   std::optional<std::uint32_t> samples;  // of the cases and programs named

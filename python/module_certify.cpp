@@ -177,7 +177,7 @@ std::vector<std::string> explanations(const certify::Certificate& certificate) {
   std::vector<std::string> texts;
   texts.reserve(certificate.findings.size());
   for (const certify::Finding& finding : certificate.findings)
-    texts.push_back(certify::explanation(finding) + certify::how_it_comes(finding));
+    texts.push_back(certify::accusation(finding) + certify::how_it_comes(finding));
   return texts;
 }
 

@@ -17,6 +17,7 @@
 #include "python/numbers.h"
 #include "spec/language/event_json.h"
 #include "spec/language/event_names.h"
+#include "spec/language/known.h"
 
 namespace py = pybind11;
 
@@ -142,7 +143,8 @@ std::string clause(const std::string& id) {
   return dump({{"id", info.id},
                {"section", info.section},
                {"text", info.text},
-               {"provenance", info.provenance},
+               {"known", spec::known_name(info.known)},
+               {"source", spec::cited(info)},
                {"formula", info.formula},
                {"alternatives", info.alternatives},
                {"open", info.kind == spec::ClauseKind::open}});

@@ -61,6 +61,12 @@ Json facts(const Record& record) {
   if (v.beyond) json["judged_before_line"] = v.beyond->line;
   json["events"] = v.events;
   json["out_of_scope"] = v.out_of_scope;
+  if (v.left_out > 0) {
+    json["left_out"] = v.left_out;
+    json["left_out_for"] = Json::object();
+    for (const auto& [clause, events] : v.left_out_for)
+      json["left_out_for"][std::string(spec::info(clause).id)] = events;
+  }
   json["decisions"] = v.decisions;
   json["near_ties"] = v.near_ties;
   json["ties"] = v.ties;
@@ -115,6 +121,14 @@ Record read_record(std::uint64_t number, std::string_view line) {
       v.beyond = fuzz::Beyond{json.at("judged_before_line").get<std::uint64_t>(), "", 0};
     v.events = json.at("events").get<std::uint64_t>();
     v.out_of_scope = json.at("out_of_scope").get<std::uint64_t>();
+    if (json.contains("left_out")) {
+      v.left_out = json.at("left_out").get<std::uint64_t>();
+      for (const auto& [id, events] : json.at("left_out_for").items()) {
+        const auto clause = spec::find_clause(id);
+        if (!clause) throw spec::InputError(place, 0, 0, spec::document::in_quotes(id) + " is no clause");
+        v.left_out_for[*clause] = events.get<std::uint64_t>();
+      }
+    }
     v.decisions = json.at("decisions").get<std::uint64_t>();
     v.near_ties = json.at("near_ties").get<std::uint64_t>();
     v.ties = json.at("ties").get<std::uint64_t>();

@@ -10,6 +10,7 @@
 #include <optional>
 #include <random>
 #include <set>
+#include <stdexcept>
 #include <utility>
 
 #include "certify/bundle/bundle_reader.h"
@@ -24,6 +25,7 @@
 #include "corpus/sha256.h"
 #include "spec/language/case_format.h"
 #include "spec/language/input_error.h"
+#include "spec/language/known.h"
 #include "spec/language/outside_json.h"
 #include "spec/language/setup_format.h"
 
@@ -114,6 +116,12 @@ class Verifying {
     capabilities_ =
         or_refused([&] { return capabilities_from(spec::read_outside_json(hello->second, std::string(kHello))); });
     result_.controller = capabilities_->name + " " + capabilities_->version;
+    try {
+      capabilities_->known =
+          spec::KnownSet::of(certificate_.at("left_out").at("judged").get<std::vector<std::string>>());
+    } catch (const std::invalid_argument& error) {
+      throw Refused(name + ": left_out: judged: " + error.what());
+    }
   }
 
   void check_identity() {
@@ -333,11 +341,11 @@ class Verifying {
     for (const auto& [name, left] : sums_) throw Refused("certificate.json: has no section \"" + name + "\"");
     const Json expected = Json::parse(json_report(sum));
     for (const char* key :
-         {"sections", "interrupted", "cases_not_run", "scope", "exit_status", "verdict", "controller"})
+         {"sections", "interrupted", "cases_not_run", "scope", "exit_status", "verdict", "controller", "left_out"})
       expect_same(std::string("certificate.json: ") + key, certificate_.at(key), expected.at(key));
     // What was judged in a controller that did not say hello reached no clause that counts.
     if (!options_.all || !capabilities_) return;
-    for (const char* key : {"clauses", "clauses_not_exercised", "open_clauses_relied_on"})
+    for (const char* key : {"clauses", "clauses_not_exercised", "open_clauses_relied_on", "known"})
       expect_same(std::string("certificate.json: ") + key, certificate_.at(key), expected.at(key));
   }
 

@@ -105,7 +105,7 @@ constexpr std::string_view kProgram = "The program:";
 
 std::string story(const Dossier& dossier, const std::string& margin) {
   const Finding& f = dossier.finding;
-  std::string text = explanation(f) + how_it_comes(f) + "\n\n";
+  std::string text = accusation(f) + how_it_comes(f) + "\n\n";
   text += fmt::format("{}{}\nclause    {}\nkind      {}\n{}{}\n{}{}\nstage     {}{}\n", kSection, f.key.section,
                       f.key.clause.empty() ? "none" : f.key.clause, f.key.kind, kShape,
                       dossier.shape.empty() ? kNotKnown : dossier.shape, kCore,

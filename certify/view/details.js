@@ -6,9 +6,9 @@ import { element, toolWords } from './words.js';
 const SIGNS = { '-1': '< 0', 0: '= 0', 1: '> 0' };
 
 function sourceOf({ kind, source }) {
-  const parts = [source.document, source.edition && `(${source.edition})`, source.page && `page ${source.page}`];
-  const place = parts.filter(Boolean).join(' ');
-  return [kind === 'open' ? 'open: our definition' : kind, place].filter(Boolean).join(' · ');
+  const page = source.page && (/^[0-9]/.test(source.page) ? `page ${source.page}` : source.page);
+  const place = [source.document, source.edition && `(${source.edition})`, page, source.words && `(${source.words})`];
+  return [kind, [source.known, ...place].filter(Boolean).join(' ')].join(' · ');
 }
 
 // A clause as `toolcomp spec show` has it.

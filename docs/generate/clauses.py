@@ -17,22 +17,18 @@ KINDS = {
     "note": "what explains and is not tested",
 }
 
-PROVENANCE = {
+KNOWN = {
     "manual": "the manual",
-    "sister-manual": "a sister manual",
-    "other-vendor": "another vendor's manual, carried over",
+    "sister": "a sister manual",
     "recollection": "recollection, no page confirms it",
-    "geometry": "geometry: it follows",
-    "ours": "our definition: no source says",
+    "ours": "our definition",
 }
 
 # On what an open clause rests, in a table.
 REASONS = {
     "manual": "the manual's words, which leave room",
-    "sister-manual": "a sister manual",
-    "other-vendor": "another vendor",
+    "sister": "a sister manual, or another vendor's",
     "recollection": "recollection",
-    "geometry": "geometry",
     "ours": "no source: ours",
 }
 
@@ -56,12 +52,12 @@ def marked(text):
 
 def source(clause):
     where = clause["source"]
-    said = PROVENANCE[where["provenance"]]
+    said = KNOWN[where["known"]]
     if "document" in where:
         document = where["document"] + (f", edition {where['edition']}" if "edition" in where else "")
-        page = str(where["page"])
-        said += f": {document}, {'page ' + page if re.fullmatch(r'[0-9-]+', page) else page}"
-    return said
+        page = where.get("page", "")
+        said += f": {document}" + (f", {'page ' if page[0].isdigit() else ''}{page}" if page else "")
+    return said + (f" ({where['words']})" if "words" in where else "")
 
 
 def rows(clause):
@@ -105,7 +101,9 @@ def listing(section):
     """All clauses of a section, and how many of which kind."""
     listed = clauses(section)
     kinds = collections.Counter(clause["kind"] for clause in listed)
+    known = collections.Counter(clause["source"]["known"] for clause in listed)
     counted = " · ".join(f'<span class="kind kind-{kind}">{kind}</span> {kinds[kind]}' for kind in KINDS if kinds[kind])
+    counted += "; known by " + ", ".join(f"{words} {known[name]}" for name, words in KNOWN.items() if known[name])
     return f'<p class="kinds">{counted}</p>\n\n' + "\n\n".join(card(clause) for clause in listed)
 
 
@@ -117,7 +115,7 @@ def open_points(section):
             continue
         first = re.split(r"(?<=[.:]) (?=[A-Z])", clause["text"])[0]
         others = [a for a in clause.get("alternatives", []) if a != "None known."]
-        cells = [f"[`{clause['id'].split('.', 1)[1]}`](#{clause['id']})", first, REASONS[clause["source"]["provenance"]],
+        cells = [f"[`{clause['id'].split('.', 1)[1]}`](#{clause['id']})", first, REASONS[clause["source"]["known"]],
                  " / ".join(others) or "–"]
         lines.append("| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |")
     return "\n".join(lines)

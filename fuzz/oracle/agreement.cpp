@@ -51,11 +51,11 @@ std::optional<Agreed> run(const spec::Case& c, Pass& pass, const Known& known) {
 
 }  // namespace
 
-std::optional<Agreed> streamed_agreement(const spec::Case& c) {
+std::optional<Agreed> streamed_agreement(const spec::Case& c, const JudgeOptions& judged) {
   const stream::Choices no_choices;
   return with_control(c.setup, [&]<class Control>(Control) {
     stream::Pass<Control> pass(
-        Rules(c.setup, c.section, {}), c.setup, c.samples, no_choices,
+        Rules(c.setup, c.section, judged), c.setup, c.samples, no_choices,
         [&](const stream::Expected& /*expected*/, auto& actual) { return Control::fast(c.setup, actual, c.samples); });
     return run<Control>(c, pass, [](const auto& /*block*/) { return true; });
   });

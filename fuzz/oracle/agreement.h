@@ -22,7 +22,7 @@ struct Agreed {
 // is left open or goes beyond what is supported, rounded numbers, samples that are not judged.
 //
 // Of the fast engine, which runs in here.
-std::optional<Agreed> streamed_agreement(const spec::Case& c);
+std::optional<Agreed> streamed_agreement(const spec::Case& c, const JudgeOptions& judged = {});
 // Of a controller's events. `on_event` is called with every event of the model that has agreed.
 std::optional<Agreed> streamed_agreement(const spec::Case& c, std::span<const spec::TextEvent> events,
                                          const JudgeOptions& judged,

@@ -508,7 +508,11 @@ bool is_beyond(const model::Decision& decision, double band) {
 }  // namespace
 
 Rules::Rules(const spec::Setup& setup, std::string_view section, const JudgeOptions& options)
-    : budget_(policy::budget(section)), axes_(setup.axes), fields_(options.fields), resolution_(options.resolution) {
+    : budget_(policy::budget(section)),
+      axes_(setup.axes),
+      fields_(options.fields),
+      resolution_(options.resolution),
+      known_(options.known) {
   units(setup.units);
 }
 
@@ -537,6 +541,11 @@ bool Rules::judges(std::string_view field) const {
   return fields_.empty() || std::find(fields_.begin(), fields_.end(), field) != fields_.end();
 }
 
+bool Rules::leaves_out(const model::Event& event) const {
+  if (known_.is_all()) return false;
+  return std::ranges::any_of(event.clauses, [this](spec::Clause clause) { return leaves_out(clause); });
+}
+
 bool Rules::judges_undecided() const { return !fields_.empty() && (judges("reason") || judges("permitted")); }
 
 template <class Number>
@@ -552,6 +561,13 @@ template std::optional<Difference> compare(const Rules&, const model::Event&, co
 template std::optional<Difference> compare(const Rules&, const model::Event&, const Scale&,
                                            const spec::Event<Rational>&, Tally&);
 
+void leave_out(const Rules& rules, const model::Event& event, Tally& tally) {
+  ++tally.left_out;
+  for (const spec::Clause clause : event.clauses)
+    if (rules.leaves_out(clause)) ++tally.left_out_for[clause];
+  tally.scope_left = tally.scope_left || event.out_of_scope;
+}
+
 void take(Verdict& verdict, const Tally& tally) {
   verdict.values = tally.values;
   verdict.numbers = tally.numbers;
@@ -559,6 +575,8 @@ void take(Verdict& verdict, const Tally& tally) {
   verdict.widths = tally.widths;
   verdict.events = tally.events;
   verdict.out_of_scope = tally.out_of_scope;
+  verdict.left_out = tally.left_out;
+  verdict.left_out_for = tally.left_out_for;
   verdict.worst_ulp = tally.worst_ulp;
   verdict.worst_um = tally.worst_um;
   verdict.bias = tally.bias;

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <string_view>
 
@@ -24,6 +26,9 @@ class Rules {
   [[nodiscard]] bool judges(std::string_view field) const;
   // A controller announced a field that only undecided events have: it says itself what is left open.
   [[nodiscard]] bool judges_undecided() const;
+  // The event rests on a clause that is not known as JudgeOptions::known asks.
+  [[nodiscard]] bool leaves_out(const model::Event& event) const;
+  [[nodiscard]] bool leaves_out(spec::Clause clause) const { return !known_.has(spec::info(clause).known); }
   [[nodiscard]] const policy::Budget& budget() const { return budget_; }
   [[nodiscard]] const spec::Axes& axes() const { return axes_; }
   // Of lengths in the units of the events, of angles in degrees, of components of unit vectors; 0: they are doubles.
@@ -43,6 +48,7 @@ class Rules {
   spec::Axes axes_;
   std::vector<std::string> fields_;
   Resolution resolution_;
+  spec::KnownSet known_;
   bool inch_ = false;
   double um_per_unit_ = 0;
 };
@@ -55,11 +61,16 @@ struct Tally {
   std::uint64_t events = 0;
   std::uint64_t out_of_scope = 0;  // of the model's events, those behind one of reason OUT_OF_SCOPE
   bool scope_left = false;         // such an event was there
+  std::uint64_t left_out = 0;      // of the model's events, by JudgeOptions::known
+  std::map<spec::Clause, std::uint64_t> left_out_for;
   double worst_ulp = 0;
   double worst_um = 0;
   Bias bias;
   Widths widths;
 };
+
+// One that is not judged by JudgeOptions::known.
+void leave_out(const Rules& rules, const model::Event& event, Tally& tally);
 
 // What was judged, as the verdict has it.
 void take(Verdict& verdict, const Tally& tally);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <queue>
 #include <set>
 #include <type_traits>
@@ -43,16 +44,17 @@ bool same(const Rules& rules, const spec::Setup& setup, const model::Event& expe
   return !compare(rules, expected, scale, actual, unused);
 }
 
-// A whole event that has no partner; clauses are those of the event the model has there, or had last.
+// A whole event that has no partner: expected[i], or else actual[k]. Clauses are those of the event the model has
+// there, or had last.
 template <class Number>
 Difference unpaired(const std::vector<model::Event>& expected, std::span<const spec::Event<Number>> actual,
-                    std::size_t i, std::string kind) {
+                    std::size_t i, std::size_t k, std::string kind) {
   Difference d;
   d.kind = std::move(kind);
   d.field = "event";
   d.expected = i < expected.size() ? describe(expected[i]) : "no more events";
-  d.actual = i < actual.size() ? describe(actual[i]) : "no more events";
-  d.line = i < expected.size() ? expected[i].line : actual[i].line;
+  d.actual = k < actual.size() ? describe(actual[k]) : "no more events";
+  d.line = i < expected.size() ? expected[i].line : actual[k].line;
   if (!expected.empty()) {
     d.clauses = expected[std::min(i, expected.size() - 1)].clauses;
     d.clause = spec::naming_clause(d.clauses);
@@ -60,19 +62,23 @@ Difference unpaired(const std::vector<model::Event>& expected, std::span<const s
   return d;
 }
 
-// The kind of a difference at event i as a reader of both lists would put it: an event too few, too many, or swapped.
+// The kind of a difference at events i and k as a reader of both lists would put it: an event too few, too many, or
+// swapped.
 template <class Number>
 Difference name_difference(const Rules& rules, const spec::Setup& setup, const std::vector<model::Event>& expected,
-                           std::span<const spec::Event<Number>> actual, std::size_t i, Difference found) {
-  const bool more_expected = i + 1 < expected.size();
-  const bool more_actual = i + 1 < actual.size();
-  if (more_expected && more_actual && same(rules, setup, expected[i], actual[i + 1]) &&
-      same(rules, setup, expected[i + 1], actual[i]))
-    return unpaired(expected, actual, i, "order");
-  if (expected.size() > actual.size() && more_expected && same(rules, setup, expected[i + 1], actual[i]))
-    return unpaired(expected, actual, i, "missing event");
-  if (actual.size() > expected.size() && more_actual && same(rules, setup, expected[i], actual[i + 1]))
-    return unpaired(expected, actual, i, "extra event");
+                           std::span<const spec::Event<Number>> actual, std::size_t i, std::size_t k,
+                           Difference found) {
+  const std::size_t left_expected = expected.size() - i;
+  const std::size_t left_actual = actual.size() - k;
+  const bool more_expected = left_expected > 1;
+  const bool more_actual = left_actual > 1;
+  if (more_expected && more_actual && same(rules, setup, expected[i], actual[k + 1]) &&
+      same(rules, setup, expected[i + 1], actual[k]))
+    return unpaired(expected, actual, i, k, "order");
+  if (left_expected > left_actual && more_expected && same(rules, setup, expected[i + 1], actual[k]))
+    return unpaired(expected, actual, i, k, "missing event");
+  if (left_actual > left_expected && more_actual && same(rules, setup, expected[i], actual[k + 1]))
+    return unpaired(expected, actual, i, k, "extra event");
   return found;
 }
 
@@ -87,47 +93,106 @@ std::string wanted_by(const Difference& d, const std::vector<model::Event>& expe
   return text;
 }
 
-// `judged`: how many of the events expected; behind them nothing is.
+// Both lists from their beginnings, pair by pair.
+template <class Number>
+class Agreeing {
+ public:
+  // `judged`: how many of the events expected; behind them nothing is.
+  Agreeing(const Rules& rules, const spec::Setup& setup, const ProgramFacts& facts,
+           const std::vector<model::Event>& expected, std::size_t judged, std::span<const spec::Event<Number>> actual)
+      : rules_(rules),
+        setup_(setup),
+        expected_(expected),
+        judged_(judged),
+        actual_(actual),
+        pairing_(std::make_unique<Pairing<Number>>(rules, setup, &facts)) {}
+
+  Agreement run() {
+    for (std::size_t i = 0; i < expected_.size() || (k_ < actual_.size() && !parted_); ++i) {
+      if (i == judged_) return std::move(result_);
+      const bool open = i < expected_.size() && expected_[i].kind == EventKind::undecided;
+      if (open && !left_open(expected_[i])) {
+        result_.undecided = true;
+        return std::move(result_);
+      }
+      // What the specification leaves open an engine of ours says too; of a controller nothing is judged behind it, nor
+      // the event itself unless it announces what such an event says.
+      const bool last = open && !std::is_same_v<Number, double>;
+      if (last) {
+        if (expected_[i].out_of_scope) result_.tally.out_of_scope = expected_.size() - i - 1;
+        if (!rules_.judges_undecided()) return std::move(result_);
+      }
+      if (i < expected_.size() && (parted_ || rules_.leaves_out(expected_[i])))
+        seek(i);
+      else
+        compare(i);
+      if (result_.difference) {
+        result_.difference->event = i;
+        break;
+      }
+      if (last) return std::move(result_);
+    }
+    result_.deviations = pairing_->deviations();
+    return std::move(result_);
+  }
+
+ private:
+  void compare(std::size_t i) {
+    if (i >= expected_.size()) {
+      result_.difference = unpaired(expected_, actual_, i, k_, "extra event");
+    } else if (k_ >= actual_.size()) {
+      result_.difference = unpaired(expected_, actual_, i, k_, "missing event");
+    } else {
+      result_.difference = pairing_->next(std::span(expected_).subspan(i), actual_[k_], result_.tally);
+      if (result_.difference) {
+        result_.expected = wanted_by(*result_.difference, expected_, i);
+        result_.difference = name_difference(rules_, setup_, expected_, actual_, i, k_, *result_.difference);
+      }
+    }
+    if (result_.difference && result_.expected.empty()) result_.expected = wanted_by(*result_.difference, expected_, i);
+    ++k_;
+  }
+
+  // An event that is left out, or that comes behind such a one in which both have parted. Where the other side has it
+  // (only behind a parting it need not be the next), both are together.
+  void seek(std::size_t i) {
+    const bool left_out = rules_.leaves_out(expected_[i]);
+    const std::size_t end = std::min(actual_.size(), k_ + (parted_ ? policy::kMostSought : 1));
+    for (std::size_t k = k_; k < end; ++k) {
+      if (actual_[k].kind != expected_[i].kind || actual_[k].line != expected_[i].line) continue;
+      auto tried = std::make_unique<Pairing<Number>>(*pairing_);
+      Tally tally = result_.tally;
+      if (tried->next(std::span(expected_).subspan(i), actual_[k], tally)) continue;
+      pairing_ = std::move(tried);
+      if (left_out)
+        leave_out(rules_, expected_[i], result_.tally);
+      else
+        result_.tally = std::move(tally);
+      k_ = k + 1;
+      if (expected_[i].kind == EventKind::move || expected_[i].kind == EventKind::alarm) parted_ = false;
+      return;
+    }
+    pairing_->pass(std::span(expected_).subspan(i));
+    leave_out(rules_, expected_[i], result_.tally);
+    parted_ = true;
+  }
+
+  const Rules& rules_;
+  const spec::Setup& setup_;
+  const std::vector<model::Event>& expected_;
+  std::size_t judged_;
+  std::span<const spec::Event<Number>> actual_;
+  std::unique_ptr<Pairing<Number>> pairing_;
+  std::size_t k_ = 0;    // of the next of the other side
+  bool parted_ = false;  // in an event that was left out
+  Agreement result_;
+};
+
 template <class Number>
 Agreement agreement(const Rules& rules, const spec::Setup& setup, const ProgramFacts& facts,
                     const std::vector<model::Event>& expected, std::size_t judged,
                     std::span<const spec::Event<Number>> actual) {
-  Agreement result;
-  Pairing<Number> pairing(rules, setup, &facts);
-  for (std::size_t i = 0; i < std::max(expected.size(), actual.size()); ++i) {
-    if (i == judged) return result;
-    const bool open = i < expected.size() && expected[i].kind == EventKind::undecided;
-    if (open && !left_open(expected[i])) {
-      result.undecided = true;
-      return result;
-    }
-    // What the specification leaves open an engine of ours says too; of a controller nothing is judged behind it, nor
-    // the event itself unless it announces what such an event says.
-    const bool last = open && !std::is_same_v<Number, double>;
-    if (last) {
-      if (expected[i].out_of_scope) result.tally.out_of_scope = expected.size() - i - 1;
-      if (!rules.judges_undecided()) return result;
-    }
-    if (i >= expected.size()) {
-      result.difference = unpaired(expected, actual, i, "extra event");
-    } else if (i >= actual.size()) {
-      result.difference = unpaired(expected, actual, i, "missing event");
-    } else {
-      result.difference = pairing.next(std::span(expected).subspan(i), actual[i], result.tally);
-      if (result.difference) {
-        result.expected = wanted_by(*result.difference, expected, i);
-        result.difference = name_difference(rules, setup, expected, actual, i, *result.difference);
-      }
-    }
-    if (result.difference) {
-      if (result.expected.empty()) result.expected = wanted_by(*result.difference, expected, i);
-      result.difference->event = i;
-      break;
-    }
-    if (last) return result;
-  }
-  result.deviations = pairing.deviations();
-  return result;
+  return Agreeing<Number>(rules, setup, facts, expected, judged, actual).run();
 }
 
 // The shortest linear movement of the moves next to a decision's line, for the band of a controller.

@@ -85,6 +85,14 @@ std::optional<Difference> Pairing<Number>::next(std::span<const model::Event> wi
 }
 
 template <class Number>
+void Pairing<Number>::pass(std::span<const model::Event> window) {
+  conditions_.next(window);
+  if (window.front().kind != EventKind::move) return;
+  head_.reset();
+  placed_ = false;
+}
+
+template <class Number>
 std::optional<Difference> Pairing<Number>::compared(const model::Event& expected, const Scale& scale,
                                                     const spec::Event<Number>& actual, Tally& tally) const {
   const bool uncertain =

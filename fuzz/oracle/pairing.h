@@ -31,6 +31,9 @@ class Pairing {
   // in order, none behind a difference.
   std::optional<Difference> next(std::span<const model::Event> window, const spec::Event<Number>& actual, Tally& tally);
 
+  // Goes on behind window[0] without a look at what the controller has there.
+  void pass(std::span<const model::Event> window);
+
   // Of the controller's rotary positions.
   [[nodiscard]] const std::vector<Deviation>& deviations() const { return fit_.deviations(); }
 

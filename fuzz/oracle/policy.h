@@ -325,6 +325,8 @@ inline constexpr double kNoVector = 0x1p-16;
 // of them. A program of 350 events is run 60 times then, in two seconds; one of ten events 2,000 times.
 inline constexpr std::size_t kMaxForks = 256;
 inline constexpr std::size_t kMaxForkedEvents = 20'000;
+// Behind an event that is left out, events of the other side that are looked through for the next one of the model.
+inline constexpr std::size_t kMostSought = 64;
 // Of a streamed program, passes over it.
 inline constexpr std::size_t kMaxPasses = 64;
 

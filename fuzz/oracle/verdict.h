@@ -18,6 +18,7 @@
 #include "model/basis/recorder.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/case.h"
+#include "spec/language/known.h"
 #include "spec/language/reader_options.h"
 #include "spec/language/setup.h"
 
@@ -56,21 +57,27 @@ struct Verdict {
   std::uint64_t wide = 0;                // numbers granted more than policy::kCap: not judged, and not among `values`
   Widths widths;                         // granted to the numbers, judged or not
   std::uint64_t events = 0;              // of the model, judged against one of the other side
-  std::uint64_t out_of_scope = 0;        // of the model, behind one of reason OUT_OF_SCOPE (a controller's: not judged)
-  std::optional<Beyond> beyond;          // a controller's program was judged up to there
-  std::uint64_t decisions = 0;           // of the model, by sign
-  std::uint64_t near_ties = 0;           // decisions inside their band
-  std::uint64_t ties = 0;                // near ties in which the engine took the other, permitted, outcome
-  double worst_ulp = 0;   // largest distance outside an enclosure, in the units the policy multiplies by k
-  double worst_um = 0;    // the same of linear coordinates that were judged, in micrometres
-  Bias bias;              // of rounded lengths
-  std::string undecided;  // why, where the outcome is `undecided`
+  std::uint64_t left_out = 0;            // of the model: JudgeOptions::known
+  std::map<spec::Clause, std::uint64_t> left_out_for;  // of them, how many rest on this clause; one may rest on several
+  std::uint64_t out_of_scope = 0;  // of the model, behind one of reason OUT_OF_SCOPE (a controller's: not judged)
+  std::optional<Beyond> beyond;    // a controller's program was judged up to there
+  std::uint64_t decisions = 0;     // of the model, by sign
+  std::uint64_t near_ties = 0;     // decisions inside their band
+  std::uint64_t ties = 0;          // near ties in which the engine took the other, permitted, outcome
+  double worst_ulp = 0;            // largest distance outside an enclosure, in the units the policy multiplies by k
+  double worst_um = 0;             // the same of linear coordinates that were judged, in micrometres
+  Bias bias;                       // of rounded lengths
+  std::string undecided;           // why, where the outcome is `undecided`
 };
 
 // What is judged. The default judges everything, in double. Samples are judged where the field `t` is.
 struct JudgeOptions {
   std::vector<std::string> fields;  // event fields the controller announced; empty: all
   Resolution resolution;            // of the controller's numbers
+  // An event of the model that rests on a clause known otherwise is counted and not judged. Where the other side
+  // differs there, what follows may differ for that reason: it is not judged either until a move agrees again.
+  // NOLINTNEXTLINE(*-redundant-member-init): GCC warns where braces leave it out otherwise
+  spec::KnownSet known = {};
 };
 
 // The model on one case. `undecided` where a decision could not be certified.

@@ -21,8 +21,10 @@ class Clause:
     id: str
     section: str
     text: str
-    #: where it comes from
-    provenance: str
+    #: how well it is known: "manual", "sister", "recollection" or "ours"
+    known: str
+    #: the same with document and page
+    source: str
     formula: str
     #: of an open clause: what else the manual permits
     alternatives: str

@@ -23,7 +23,7 @@ using toolcomp::spec::literal;
 using toolcomp::spec::write_changed;
 
 struct ClauseText {
-  std::string id, enumerator, section, file, kind, document, edition, page, provenance, text, formula, outcomes;
+  std::string id, enumerator, section, file, kind, known, document, edition, page, words, text, formula, outcomes;
   std::string positive, negative, tie, reason, unreachable_reason, replaced_by;
   std::vector<std::string> parameters, alternatives, unreachable;
   bool testable = true;
@@ -50,6 +50,8 @@ constexpr std::string_view kKeys[] = {
     "outcomes",   "outcome_text", "testable", "reason", "unreachable", "unreachable_reason", "replaced_by",
     "makes_value"};
 constexpr std::string_view kKinds[] = {"normative", "parameter", "alarm", "open", "note"};
+constexpr std::string_view kKnown[] = {"manual", "sister", "recollection", "ours"};
+constexpr std::string_view kSourceKeys[] = {"known", "document", "edition", "page", "words"};
 constexpr std::string_view kOutcomes[] = {"sign", "fact", "reach"};
 
 ClauseText read_clause(const std::filesystem::path& file, const std::string& section, const toml::table& table) {
@@ -73,10 +75,14 @@ ClauseText read_clause(const std::filesystem::path& file, const std::string& sec
   clause.alternatives = list_of(table, "alternatives");
   clause.unreachable = list_of(table, "unreachable");
   if (const auto* source = table["source"].as_table()) {
+    for (const auto& [key, value] : *source)
+      if (std::ranges::find(kSourceKeys, key.str()) == std::end(kSourceKeys))
+        fail(file, key.source(), fmt::format("unknown key {}", key.str()));
+    clause.known = text_of(*source, "known");
     clause.document = text_of(*source, "document");
     clause.edition = text_of(*source, "edition");
     clause.page = text_of(*source, "page");
-    clause.provenance = text_of(*source, "provenance");
+    clause.words = text_of(*source, "words");
   }
   if (const auto* outcome = table["outcome_text"].as_table()) {
     const bool fact = clause.outcomes == "fact";
@@ -90,6 +96,8 @@ ClauseText read_clause(const std::filesystem::path& file, const std::string& sec
     fail(file, table.source(), "a clause needs an id of lower-case letters, digits, '.' and '-'");
   if (std::ranges::find(kKinds, clause.kind) == std::end(kKinds))
     fail(file, table.source(), fmt::format("{}: kind must be normative, parameter, alarm, open or note", clause.id));
+  if (std::ranges::find(kKnown, clause.known) == std::end(kKnown))
+    fail(file, table.source(), fmt::format("{}: known must be manual, sister, recollection or ours", clause.id));
   if (std::ranges::find(kOutcomes, clause.outcomes) == std::end(kOutcomes))
     fail(file, table.source(), fmt::format("{}: outcomes must be sign, fact or reach", clause.id));
   if (clause.text.empty()) fail(file, table.source(), fmt::format("{}: a clause needs a text", clause.id));
@@ -138,13 +146,18 @@ enum class Clause : std::uint16_t {{
 inline constexpr std::size_t kClauseCount = {};
 
 enum class ClauseKind : std::uint8_t {{ normative, parameter, alarm, open, note }};
+// How well a clause is known: a page of a manual of its control was seen; one of a sister series, or of another vendor
+// with the same rule; the text of a section, from memory; our definition.
+enum class Known : std::uint8_t {{ manual, sister, recollection, ours }};
 enum class ClauseOutcomes : std::uint8_t {{ sign, fact, reach }};
 
 // A clause as its file states it. Lists are separated by line feeds.
 struct ClauseInfo {{
   std::string_view id, section, file;
   ClauseKind kind;
-  std::string_view document, edition, page, provenance;
+  Known known;
+  std::string_view document, edition, page;
+  std::string_view words;  // on the source: which part of the clause is the page's
   std::string_view text, formula, parameters, alternatives;
   ClauseOutcomes outcomes;
   std::string_view positive, negative, tie;  // what each outcome means; a fact has true as positive, false as negative
@@ -189,10 +202,10 @@ void generate(const std::filesystem::path& folder, const std::filesystem::path& 
   for (const ClauseText& c : clauses) {
     enumerators += fmt::format("  {},\n", c.enumerator);
     rows += fmt::format(
-        "    ClauseInfo{{{}, {}, {}, ClauseKind::{}, {}, {}, {}, {},\n      {}, {},\n      {}, {}, "
+        "    ClauseInfo{{{}, {}, {}, ClauseKind::{}, Known::{}, {}, {}, {}, {},\n      {}, {},\n      {}, {}, "
         "ClauseOutcomes::{},\n      {}, {}, {}, {}, {}, {}, {}, {}, {}}},\n",
-        literal(c.id), literal(c.section), literal(c.file), c.kind, literal(c.document), literal(c.edition),
-        literal(c.page), literal(c.provenance), literal(c.text), literal(c.formula), literal(joined(c.parameters)),
+        literal(c.id), literal(c.section), literal(c.file), c.kind, c.known, literal(c.document), literal(c.edition),
+        literal(c.page), literal(c.words), literal(c.text), literal(c.formula), literal(joined(c.parameters)),
         literal(joined(c.alternatives)), c.outcomes, literal(c.positive), literal(c.negative), literal(c.tie),
         c.testable, literal(c.reason), literal(joined(c.unreachable)), literal(c.unreachable_reason),
         literal(c.replaced_by), c.makes_value);

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "spec/language/input_error.h"
+#include "spec/language/known.h"
 #include "spec/language/name.h"
 
 namespace toolcomp::spec {
@@ -157,14 +158,18 @@ class Linter {
       breach(entry, "a source is missing");
       return;
     }
-    const std::string provenance = text(*source, "provenance");
-    require(entry, one_of(provenance, {"manual", "sister-manual", "other-vendor", "recollection", "geometry", "ours"}),
-            "the source needs a provenance: manual, sister-manual, other-vendor, recollection, geometry or ours");
-    if (one_of(provenance, {"manual", "sister-manual", "other-vendor"}))
+    const std::string known = text(*source, "known");
+    require(entry, find_known(known).has_value(),
+            "the source says how well the clause is known: manual, sister, recollection or ours");
+    if (one_of(known, {"manual", "sister"}))
       require(entry, !text(*source, "document").empty() && !text(*source, "page").empty(),
               "a manual is named with document and page");
-    if (provenance == "ours")
-      require(entry, text(*entry.table, "kind") != "normative", "a definition of ours is not normative");
+    if (known == "ours") {
+      require(entry, text(*source, "document").empty() && text(*source, "page").empty(),
+              "a definition of ours has no document");
+      require(entry, text(*entry.table, "kind") != "normative" || text(*source, "words").starts_with("geometry"),
+              "a definition of ours is not normative, but for geometry");
+    }
   }
 
   void check_outcomes(const Entry& entry) {

@@ -11,6 +11,7 @@
 #include "spec/language/edit_distance.h"
 #include "spec/language/input_error.h"
 #include "spec/language/json_text.h"
+#include "spec/language/known.h"
 
 namespace toolcomp::spec {
 namespace {
@@ -100,8 +101,8 @@ void append_clause(Json& json, const ClauseInfo& c) {
       .member("section", c.section)
       .member("file", c.file)
       .member("kind", kind_name(c.kind));
-  json.key("source").open('{').member("document", c.document).member("edition", c.edition).member("page", c.page);
-  json.member("provenance", c.provenance).close('}');
+  json.key("source").open('{').member("known", known_name(c.known)).member("document", c.document);
+  json.member("edition", c.edition).member("page", c.page).member("words", c.words).close('}');
   json.member("text", c.text).member("formula", c.formula);
   json.members("parameters", lines(c.parameters)).members("alternatives", lines(c.alternatives));
   json.member("outcomes", kOutcomes.at(static_cast<std::size_t>(c.outcomes)));
@@ -113,15 +114,6 @@ void append_clause(Json& json, const ClauseInfo& c) {
   json.key("testable").value(c.testable).member("reason", c.reason);
   json.members("unreachable", lines(c.unreachable)).member("unreachable_reason", c.unreachable_reason);
   json.members("replaced_by", lines(c.replaced_by)).close('}');
-}
-
-// Where a clause comes from, as a reader cites it.
-std::string source_text(const ClauseInfo& c) {
-  std::string text(c.provenance);
-  if (!c.document.empty()) text += fmt::format(": {}", c.document);
-  if (!c.edition.empty()) text += fmt::format(" ({})", c.edition);
-  if (!c.page.empty()) text += fmt::format(", page {}", c.page);
-  return text;
 }
 
 // Ids for somebody who wrote another: those it is a part of, or else those of the nearest family ("fanuc.cutter" of
@@ -153,6 +145,12 @@ std::vector<std::string_view> nearest_ids(std::string_view id) {
   throw InputError(std::string(id), 0, 0, message + (ids.empty() ? "; `toolcomp spec list` lists them" : "?"));
 }
 
+Json& append_known(Json& json, const KnownCounts& counts) {
+  json.key("known").open('{');
+  for (const Known known : kAllKnown) json.key(known_name(known)).value(counts.of(known));
+  return json.close('}');
+}
+
 std::string mention_text(const std::vector<Mention>& mentions) {
   std::string text;
   for (const Mention& m : mentions) text += fmt::format("{}{}:{}", text.empty() ? "" : ", ", m.file, m.line);
@@ -166,6 +164,19 @@ std::string vector_text(const std::vector<std::string>& ids) {
   for (std::size_t i = 0; i < std::min(kShown, ids.size()); ++i) text += (i == 0 ? "" : ", ") + ids[i];
   if (ids.size() > kShown) text += fmt::format(" and {} more", ids.size() - kShown);
   return text;
+}
+
+// Section, total, and how many of it are known how well; rows of a table.
+std::string known_table(const std::vector<std::pair<std::string_view, KnownCounts>>& sections) {
+  std::string out = fmt::format("{:<32} {:>9}", "section", "clauses");
+  for (const Known known : kAllKnown) out += fmt::format(" {:>12}", known_name(known));
+  out += '\n';
+  for (const auto& [section, counts] : sections) {
+    out += fmt::format("{:<32} {:>9}", section, counts.total());
+    for (const Known known : kAllKnown) out += fmt::format(" {:>12}", counts.of(known));
+    out += '\n';
+  }
+  return out;
 }
 
 void append_line(std::string& out, std::string_view name, std::string_view text) {
@@ -182,7 +193,8 @@ std::string list_clauses(ReportFormat format) {
     return json.close(']').take();
   }
   std::string out;
-  for (const ClauseInfo& c : clauses()) out += fmt::format("{:<55} {:<9}  {}\n", c.id, kind_name(c.kind), c.text);
+  for (const ClauseInfo& c : clauses())
+    out += fmt::format("{:<55} {:<9}  {:<12}  {}\n", c.id, kind_name(c.kind), known_name(c.known), c.text);
   return out;
 }
 
@@ -198,7 +210,7 @@ std::string show_clause(std::string_view id, ReportFormat format) {
   std::string out = fmt::format("{}\n", c.id);
   append_line(out, "section", c.section);
   append_line(out, "kind", kind_name(c.kind));
-  append_line(out, "source", source_text(c));
+  append_line(out, "source", cited(c));
   append_line(out, "text", c.text);
   append_line(out, "formula", c.formula);
   append_line(out, "parameters", fmt::format("{}", fmt::join(lines(c.parameters), ", ")));
@@ -217,6 +229,10 @@ std::string show_clause(std::string_view id, ReportFormat format) {
 std::string list_sections(ReportFormat format) {
   std::vector<std::string_view> sections;
   std::map<std::string_view, std::array<std::uint64_t, kKinds.size()>> kinds;
+  const auto known = known_by_section([](Clause) { return true; });
+  const auto of_section = [&known](std::string_view section) {
+    return std::ranges::find(known, section, &std::pair<std::string_view, KnownCounts>::first)->second;
+  };
   for (const ClauseInfo& c : clauses()) {
     if (!kinds.contains(c.section)) sections.push_back(c.section);
     ++kinds[c.section].at(static_cast<std::size_t>(c.kind));
@@ -227,7 +243,7 @@ std::string list_sections(ReportFormat format) {
     for (const std::string_view section : sections) {
       json.line().open('{').member("section", section);
       for (std::size_t i = 0; i < kKinds.size(); ++i) json.key(kKinds.at(i)).value(kinds[section].at(i));
-      json.close('}');
+      append_known(json, of_section(section)).close('}');
     }
     return json.close(']').take();
   }
@@ -241,7 +257,8 @@ std::string list_sections(ReportFormat format) {
     for (const std::uint64_t count : kinds[section]) out += fmt::format(" {:>9}", count);
     out += '\n';
   }
-  return out;
+  const KnownCounts sum = sum_of(known);
+  return out + fmt::format("\n{}\nof {} clauses {}\n", known_table(known), sum.total(), sum.words());
 }
 
 std::string show_trace(std::span<const ClauseTrace> table, ReportFormat format) {
@@ -278,6 +295,10 @@ std::string show_trace(std::span<const ClauseTrace> table, ReportFormat format) 
 std::string show_coverage(std::span<const OutcomeCounts> counts, std::uint64_t runs, std::span<const ProofCount> proofs,
                           ReportFormat format) {
   const std::vector<ClauseOutcome> outcomes = required_outcomes(counts);
+  const auto exercised = known_by_section([&](Clause clause) {
+    const OutcomeCounts& count = counts[static_cast<std::size_t>(clause)];
+    return needs_mark(info(clause)) && count.reached + count.positive + count.negative + count.tie > 0;
+  });
   const auto reached = static_cast<std::uint64_t>(
       std::ranges::count_if(outcomes, [](const ClauseOutcome& outcome) { return outcome.count != 0; }));
   if (format == ReportFormat::json) {
@@ -302,6 +323,9 @@ std::string show_coverage(std::span<const OutcomeCounts> counts, std::uint64_t r
           .key("proven")
           .value(std::uint64_t{proof.proven})
           .close('}');
+    json.close(']').key("sections").open('[');
+    for (const auto& [section, known] : exercised)
+      append_known(json.line().open('{').member("section", section), known).close('}');
     return json.close(']').close('}').take();
   }
   std::string out = fmt::format("{} runs; {} of {} outcomes reached\n", runs, reached, outcomes.size());
@@ -310,6 +334,8 @@ std::string show_coverage(std::span<const OutcomeCounts> counts, std::uint64_t r
     out += fmt::format("{:>9}  {:<55} {:<9}{}{}\n", count, info(outcome.clause).id, outcome.name,
                        outcome.text.empty() ? "" : " ", outcome.text);
   }
+  const KnownCounts known = sum_of(exercised);
+  out += fmt::format("\n{}\nof {} clauses exercised {}\n", known_table(exercised), known.total(), known.words());
   if (!proofs.empty()) out += "\nvectors of which Coq proves every number (./dev proofs)\n";
   for (const ProofCount& proof : proofs)
     out += fmt::format("{:>4} of {:>4}  {}\n", proof.proven, proof.vectors, proof.section);

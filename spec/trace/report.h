@@ -15,13 +15,13 @@ namespace toolcomp::spec {
 
 enum class ReportFormat : std::uint8_t { text, json };  // JSON: one document
 
-// Every clause: id, kind and text; JSON: everything the clause files say.
+// Every clause: id, kind, how well it is known, and text; JSON: everything the clause files say.
 std::string list_clauses(ReportFormat format);
 
 // One clause in full. Throws InputError for an id that does not exist; the message names the nearest ones.
 std::string show_clause(std::string_view id, ReportFormat format);
 
-// The sections and how many clauses of which kind each has.
+// The sections, how many clauses of which kind each has, and how well these are known.
 std::string list_sections(ReportFormat format);
 
 // The registry of keys, that of parameters, and the alarms by cause, as tables in Markdown.
@@ -39,7 +39,8 @@ struct ProofCount {
   std::size_t proven = 0;
 };
 
-// The outcomes of every clause (indexed by Clause) that `runs` runs exercised, and those they did not; and the proofs.
+// The outcomes of every clause (indexed by Clause) that `runs` runs exercised, and those they did not; how well
+// the clauses exercised are known, by section; and the proofs.
 std::string show_coverage(std::span<const OutcomeCounts> counts, std::uint64_t runs, std::span<const ProofCount> proofs,
                           ReportFormat format);
 

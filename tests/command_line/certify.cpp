@@ -39,6 +39,90 @@ TEST(Certify, TheFastEngineConforms) {
   EXPECT_TRUE(certificate.is_object());
 }
 
+// Only what rests on clauses known so well; the rest is counted, on standard error and in the certificate.
+TEST(Certify, KnownLeavesOutAndSaysSo) {
+  const Folder folder;
+  const std::string common = " --section fanuc/tool-length-offset --section fanuc/cutter-compensation-c --cases 20";
+  const std::string report = " --report " + folder.path("report");
+  const std::string fast = "certify --controller '" + kServe + "'" + common + report;
+  const auto certificate = [&] { return json::parse(toolcomp::test::read(folder.path("report/certificate.json"))); };
+  const Outcome whole = toolcomp(fast);
+  EXPECT_EQ(whole.status, 0) << whole.out << whole.err;
+  EXPECT_EQ(whole.err.find("left out"), std::string::npos) << whole.err;
+  EXPECT_NE(whole.out.find(" clauses judged "), std::string::npos) << whole.out;
+  const json all = certificate();
+  const Outcome part = toolcomp(fast + " --known manual,sister");
+  EXPECT_EQ(part.status, 0) << part.out << part.err;
+  EXPECT_NE(part.err.find(" events left out: they rest on other than clauses known as manual, sister"),
+            std::string::npos)
+      << part.err;
+  EXPECT_NE(part.out.find(", as far as clauses known as manual, sister go"), std::string::npos) << part.out;
+  const json some = certificate();
+  EXPECT_EQ(some["left_out"]["judged"], json::parse(R"(["manual", "sister"])"));
+  EXPECT_FALSE(some["left_out"]["clauses"].empty());
+  for (const char* kind : {"manual", "sister"})
+    EXPECT_EQ(some["known"]["clauses"][kind], all["known"]["clauses"][kind]) << kind;
+  for (const char* kind : {"recollection", "ours"}) {
+    EXPECT_EQ(some["known"]["clauses"][kind], 0) << kind;
+    EXPECT_GT(all["known"]["clauses"][kind], 0) << kind;
+  }
+  for (std::size_t i = 0; i < all["sections"].size(); ++i) {
+    const json& a = all["sections"][i];
+    const json& s = some["sections"][i];
+    EXPECT_EQ(a["events_left_out"], 0);
+    EXPECT_GT(s["events_left_out"], 0);
+    EXPECT_EQ(a["events"].get<int>(), s["events"].get<int>() + s["events_left_out"].get<int>());
+    EXPECT_GT(s["values"], 0);
+    EXPECT_LT(s["values"], a["values"]);
+  }
+}
+
+TEST(Certify, KnownTakesFourWords) {
+  const Folder folder;
+  const std::string arguments =
+      "certify --controller fast --section fanuc/tool-offset --cases 1 --report " + folder.path("report");
+  for (const std::string kinds : {"rumour", "manual,rumour", "''", ",", "Manual", "manual;sister"}) {
+    const Outcome outcome = toolcomp(arguments + " --known " + (kinds.front() == '\'' ? kinds : "'" + kinds + "'"));
+    EXPECT_EQ(outcome.status, 2) << kinds;
+    EXPECT_NE(outcome.err.find("--known"), std::string::npos) << outcome.err;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder.path("report")));
+  const Outcome trace =
+      toolcomp("certify --trace " + folder.write("t.csv", "X,Y,Z\n0,0,0\n") + " --tolerance 1 --known manual " +
+               kExamples + "three-hole-boring/three-holes.nc --report " + folder.path("report"));
+  EXPECT_EQ(trace.status, 2) << trace.out << trace.err;
+  EXPECT_NE(trace.err.find("--known"), std::string::npos) << trace.err;
+}
+
+// A lie in what is judged is found, with how its clause is known before what differs, and replays; a bundle of it is
+// verified.
+TEST(Certify, AFindingUnderKnownReplays) {
+  const Folder folder;
+  // Type A offsets Z, says a manual: 100 and 20.
+  const std::string program = folder.write("a.nc", "G90 G43 G00 Z100. H1\nM30\n");
+  folder.write("setup.toml", "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\"]\n[offsets.H]\n1 = 20\n");
+  const std::string liar = wrapper(folder, "liar.sh", R"(s/"Z":120/"Z":121/)");
+  const Outcome found = toolcomp("certify --controller '" + liar + "' " + program +
+                                 " --known manual,sister,recollection,ours --report " + folder.path("report"));
+  EXPECT_EQ(found.status, 1) << found.out << found.err;
+  EXPECT_NE(found.out.find("\n  known as "), std::string::npos) << found.out;
+  const Outcome known = toolcomp("certify --controller '" + liar + "' " + program + " --known manual --report " +
+                                 folder.path("known") + " --evidence " + folder.path("known.tar.zst"));
+  EXPECT_EQ(known.status, 1) << known.out << known.err;
+  const std::string file = folder.path("known/findings/01-coordinate.json");
+  EXPECT_EQ(json::parse(toolcomp::test::read(file))["judged"], json::parse(R"(["manual"])"));
+  const Outcome again = toolcomp("replay --yes " + file);
+  EXPECT_EQ(again.status, 1) << again.out << again.err;
+  EXPECT_NE(again.err.find("clauses known as manual"), std::string::npos) << again.err;
+  const Outcome verified = toolcomp("verify --all " + folder.path("known.tar.zst"));
+  EXPECT_EQ(verified.status, 0) << verified.out << verified.err;
+  // Nothing of it rests on what is ours alone: the lie is left out, and nothing judged is no pass.
+  EXPECT_EQ(toolcomp("certify --controller '" + liar + "' " + program + " --known recollection --report " +
+                     folder.path("other"))
+                .status,
+            3);
+}
+
 // What the user says about a coarse controller: nothing is bad usage, with a line that names the option.
 TEST(Certify, ACoarseResolutionMustBeAccepted) {
   const Folder folder;

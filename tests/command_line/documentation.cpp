@@ -22,6 +22,18 @@ TEST(Documentation, TheTableOfSectionsIsCurrent) {
       << "put the output of `toolcomp spec sections` there";
 }
 
+TEST(Documentation, HowWellTheClausesAreKnownIsCurrent) {
+  const std::string readme = read(TOOLCOMP_SOURCE_DIR "/README.md");
+  const std::string begin = "<!-- known -->";
+  const std::size_t from = readme.find(begin);
+  ASSERT_NE(from, std::string::npos);
+  const std::size_t to = readme.find("<!-- /known -->", from);
+  ASSERT_NE(to, std::string::npos);
+  const std::string words = readme.substr(from + begin.size(), to - from - begin.size());
+  EXPECT_TRUE(toolcomp("spec sections").out.ends_with("\n" + words + "\n"))
+      << "put the last line of `toolcomp spec sections` there";
+}
+
 TEST(Documentation, TheTablesOfKeysAndParametersAreCurrent) {
   const std::string readme = read(TOOLCOMP_SOURCE_DIR "/spec/parameters/README.md");
   for (const std::string name : {"keys", "parameters", "alarms"}) {

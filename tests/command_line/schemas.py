@@ -96,6 +96,7 @@ FINDINGS_REFUSED_BY_BOTH = [
     {"finding": 2}, {"finding": "1"}, {"more": 1}, {"kind": 1}, {"line": -1}, {"line": 1.5}, {"line": "1"},
     {"occurrences": 10**13}, {"deviation_um": "2"}, {"before": {}}, {"before": [1]}, {"case": 1}, {"case": "left out"},
     {"capabilities": []}, {"capabilities": {}}, {"errors": []}, {"controller": {"run": "it"}},
+    {"known": "rumour"}, {"known": 1}, {"source": 1}, {"judged": []}, {"judged": ["rumour"]}, {"judged": "manual"},
 ]
 
 
@@ -129,7 +130,8 @@ def main():
                 faults.append(f"the schema takes {document}")
 
     finding_schema = schemas.validator("finding")
-    good = {"finding": 1, "kind": "coordinate", "clause": None, "line": 1, "deviation_um": 2.5, "seen": 1, "tried": 1,
+    good = {"finding": 1, "kind": "coordinate", "clause": None, "known": "sister",
+            "source": "sister: page 1", "judged": ["manual", "sister"], "line": 1, "deviation_um": 2.5, "seen": 1, "tried": 1,
             "capabilities": {"protocol": 1}, "before": [GOOD_CASE], "case": GOOD_CASE}
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "finding.json")

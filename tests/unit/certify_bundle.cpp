@@ -258,6 +258,8 @@ TEST(Bundle, ARecordComesBackAsItWas) {
   record.result.sent = {spec::Field::kind, spec::Field::clauses};
   record.result.verdict.values = 17;
   record.result.verdict.worst_ulp = 0.1;
+  record.result.verdict.left_out = 5;
+  record.result.verdict.left_out_for = {{static_cast<spec::Clause>(3), 4}, {static_cast<spec::Clause>(7), 2}};
   record.result.verdict.bias = {3, -0.25, 0.125};
   record.result.verdict.widths.add(1.5);
   record.fault = Fault{FaultKind::crash, "ended\xff", "exit status 3", "servo"};
@@ -267,6 +269,8 @@ TEST(Bundle, ARecordComesBackAsItWas) {
   EXPECT_EQ(difference(record, again), "");
   EXPECT_EQ(again.result.key, record.result.key);
   EXPECT_EQ(again.result.sent, record.result.sent);
+  EXPECT_EQ(again.result.verdict.left_out, 5U);
+  EXPECT_EQ(again.result.verdict.left_out_for, record.result.verdict.left_out_for);
   EXPECT_EQ(again.fault->status, "exit status 3");
   EXPECT_TRUE(again.cut);
   Record other = again;

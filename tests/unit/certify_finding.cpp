@@ -12,6 +12,7 @@
 #include "spec/language/case_format.h"
 #include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
+#include "spec/language/known.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -71,6 +72,21 @@ TEST(FindingFile, IsReadAsItWasWritten) {
   EXPECT_EQ(again.tool, f.tool);
   EXPECT_EQ(again.first_case, f.first_case);
   EXPECT_EQ(again.occurrences, f.occurrences);
+}
+
+// A finding of a certificate that left something out is judged again in the same way.
+TEST(FindingFile, KeepsWhatWasJudged) {
+  Finding f = example();
+  EXPECT_FALSE(nlohmann::json::parse(write_finding(f)).contains("judged"));
+  EXPECT_TRUE(read_finding(write_finding(f), "f").subject.known.is_all());
+  f.subject.known = spec::KnownSet::of({"sister", "manual"});
+  const auto json = nlohmann::json::parse(write_finding(f));
+  EXPECT_EQ(json["judged"], nlohmann::json::parse(R"(["manual", "sister"])"));
+  EXPECT_EQ(json["known"], spec::known_name(spec::clauses()[0].known));
+  EXPECT_EQ(json["source"], spec::cited(spec::clauses()[0]));
+  EXPECT_EQ(read_finding(write_finding(f), "f").subject.known, f.subject.known);
+  f.key.clause.clear();
+  EXPECT_FALSE(nlohmann::json::parse(write_finding(f)).contains("known"));
 }
 
 // Digits must not pass through a double on their way: 0.1 as written, however many digits follow.

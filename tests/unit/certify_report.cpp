@@ -18,6 +18,7 @@
 #include "certify/view/tool_shapes.h"
 #include "fuzz/oracle/verdict.h"
 #include "spec/language/byte_source.h"
+#include "spec/language/known.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -307,7 +308,58 @@ TEST(Report, JsonIsComplete) {
   EXPECT_EQ(json["causes"][0]["cases"], 2);
   EXPECT_EQ(json["settling"], nlohmann::json::parse(R"({"seconds": 30.0, "groups": 1, "settled": 1})"));
   EXPECT_FALSE(json["clauses_not_exercised"].empty());
+  // One clause was reached, that of the findings.
+  const Certificate c = example();
+  const spec::ClauseInfo& clause = spec::info(*spec::find_clause(c.findings[0].key.clause));
+  const std::string known(spec::known_name(clause.known));
+  EXPECT_EQ(json["findings"][0]["known"], known);
+  EXPECT_EQ(json["findings"][0]["source"], spec::cited(clause));
+  EXPECT_EQ(json["known"]["clauses"][known], 1);
+  EXPECT_EQ(json["known"]["sections"]["fanuc/tool-length-offset"][known], 1);
+  EXPECT_EQ(json["known"]["sections"].size(), 1U);
+  EXPECT_EQ(json["left_out"],
+            nlohmann::json::parse(R"({"judged": ["manual", "sister", "recollection", "ours"], "clauses": {}})"));
   EXPECT_FALSE(json["controller"]["fields_not_judged"].empty());
+}
+
+// What --known leaves out is said on the first page and counted by clause; a section of which nothing is left is no
+// section judged.
+TEST(Report, SaysWhatWasLeftOut) {
+  Certificate c = example();
+  c.findings.clear();
+  c.causes.clear();
+  c.sections[0].results = {203, 0, 0, 0, 0, 0};
+  EXPECT_EQ(words_on_left_out(c), "");
+  EXPECT_TRUE(verdict(c).starts_with("conforms in 1 of ")) << verdict(c);
+  EXPECT_EQ(verdict(c).find("as far as"), std::string::npos);
+  const spec::Clause first = *spec::find_clause(example().findings[0].key.clause);
+  const spec::Clause other = *spec::find_clause("fanuc.program.own-move");
+  c.subject.known = spec::KnownSet::of({"manual", "sister"});
+  c.sections[0].events = 70;
+  c.sections[0].left_out = 30;
+  c.sections[0].left_out_for = {{first, 10}, {other, 25}};
+  EXPECT_EQ(words_on_left_out(c), "30 of 100 events left out: they rest on other than clauses known as manual, sister");
+  EXPECT_TRUE(verdict(c).ends_with(", as far as clauses known as manual, sister go")) << verdict(c);
+  EXPECT_EQ(exit_status(c), 0);
+  const auto json = nlohmann::json::parse(json_report(c));
+  EXPECT_EQ(json["left_out"]["clauses"]["fanuc.program.own-move"], 25);
+  EXPECT_EQ(json["sections"][0]["events_left_out"], 30);
+  const std::string html = html_report(c);
+  EXPECT_EQ(malformed(html), "");
+  EXPECT_TRUE(has(html, "30 of 100 events left out"));
+  EXPECT_TRUE(has(html, "id=\"left-out\""));
+  EXPECT_TRUE(has(html, "<code>fanuc.program.own-move</code>"));
+  EXPECT_EQ(left_out_for(c).front().first, other) << "the most first";
+  // A second section of which nothing was judged for this reason alone.
+  c.sections.push_back(c.sections[0]);
+  c.sections[1].section = "fanuc/tool-offset";
+  c.sections[1].values = 0;
+  EXPECT_EQ(exit_status(c), 0);
+  EXPECT_NE(scope(c).find("1 of "), std::string::npos) << scope(c);
+  EXPECT_NE(scope(c).find(", 1 left out"), std::string::npos) << scope(c);
+  // Nothing judged at all is never a pass.
+  c.sections.erase(c.sections.begin());
+  EXPECT_EQ(exit_status(c), 3);
 }
 
 TEST(Report, IsWrittenWithItsFindingsAndWithoutThoseOfBefore) {

@@ -37,7 +37,7 @@ class LinterFaults : public testing::Test {
 
   // One clause with these lines behind a good beginning.
   static std::string clause(const std::string& id, const std::string& more = "",
-                            const std::string& source = R"({ document = "D", page = "24", provenance = "manual" })",
+                            const std::string& source = R"({ document = "D", page = "24", known = "manual" })",
                             const std::string& kind = "normative") {
     return "[[clause]]\nid = \"" + id + "\"\nkind = \"" + kind + "\"\nsource = " + source +
            "\ntext = \"One sentence.\"\n" + more + "\n";
@@ -78,26 +78,30 @@ TEST_F(LinterFaults, IdsAreUnique) {
   EXPECT_TRUE(breaches[0].ends_with("x.toml:8:1: fanuc.x.twice: this id is used twice")) << breaches[0];
 }
 
-TEST_F(LinterFaults, Kind) {
-  expect_one(clause("fanuc.x.a", "", R"({ provenance = "ours" })", "rule"), "unknown kind");
-}
+TEST_F(LinterFaults, Kind) { expect_one(clause("fanuc.x.a", "", R"({ known = "ours" })", "rule"), "unknown kind"); }
 
 TEST_F(LinterFaults, Text) {
-  expect_one("[[clause]]\nid = \"fanuc.x.a\"\nkind = \"note\"\nsource = { provenance = \"ours\" }\ntext = \"no end\"\n",
+  expect_one("[[clause]]\nid = \"fanuc.x.a\"\nkind = \"note\"\nsource = { known = \"ours\" }\ntext = \"no end\"\n",
              "the text is not made of whole sentences");
 }
 
 TEST_F(LinterFaults, Source) {
   expect_one("[[clause]]\nid = \"fanuc.x.a\"\nkind = \"note\"\ntext = \"One.\"\n", "a source is missing");
   expect_one(clause("fanuc.x.a", "", R"({ document = "D" })"),
-             "the source needs a provenance: manual, sister-manual, other-vendor, recollection, geometry or ours");
-  expect_one(clause("fanuc.x.a", "", R"({ document = "D", provenance = "manual" })"),
+             "the source says how well the clause is known: manual, sister, recollection or ours");
+  expect_one(clause("fanuc.x.a", "", R"({ document = "D", known = "manual" })"),
              "a manual is named with document and page");
-  expect_one(clause("fanuc.x.a", "", R"({ provenance = "ours" })"), "a definition of ours is not normative");
+  expect_one(clause("fanuc.x.a", "", R"({ page = "24", known = "sister" })"),
+             "a manual is named with document and page");
+  expect_one(clause("fanuc.x.a", "", R"({ document = "D", known = "ours" })", "note"),
+             "a definition of ours has no document");
+  EXPECT_TRUE(lint(clause("fanuc.x.a", "", R"({ known = "ours", words = "geometry: it follows" })")).empty());
+  expect_one(clause("fanuc.x.a", "", R"({ known = "ours" })"),
+             "a definition of ours is not normative, but for geometry");
 }
 
 TEST_F(LinterFaults, OpenClausesListAlternatives) {
-  const std::string ours = R"({ provenance = "ours" })";
+  const std::string ours = R"({ known = "ours" })";
   expect_one(clause("fanuc.x.a", "", ours, "open"), "an open clause lists alternatives");
   EXPECT_TRUE(lint(clause("fanuc.x.a", "alternatives = [\"The other way.\"]", ours, "open")).empty());
   EXPECT_TRUE(lint(clause("fanuc.x.a", "testable = false\nreason = \"A frame.\"", ours, "open")).empty());

@@ -27,12 +27,13 @@ TEST(SpecReport, ShowOneClause) {
   const std::string text = show_clause(kSign, ReportFormat::text);
   EXPECT_TRUE(
       text.starts_with("fanuc.leading-edge.sign\n  section       fanuc/leading-edge-offset\n"
-                       "  kind          normative\n  source        manual: A-78438E, page 24\n"))
+                       "  kind          normative\n  source        manual: A-78438E, page 23\n"))
       << text;
   EXPECT_NE(text.find("\n  formula       quantity: VM . VT\n"), std::string::npos) << text;
   EXPECT_NE(text.find("\n  negative      the tool leans back (over 90 degrees)\n"), std::string::npos) << text;
   const auto json = nlohmann::json::parse(show_clause(kSign, ReportFormat::json));
-  EXPECT_EQ(json["source"]["page"], "24");
+  EXPECT_EQ(json["source"]["page"], "23");
+  EXPECT_EQ(json["source"]["known"], "manual");
   EXPECT_EQ(json["outcomes"], "sign");
   EXPECT_EQ(json["outcome_text"]["negative"], "the tool leans back (over 90 degrees)");
   EXPECT_EQ(json["testable"], true);
@@ -54,6 +55,11 @@ TEST(SpecReport, SectionsAddUp) {
   for (const auto& row : json)
     for (const char* kind : {"normative", "parameter", "alarm", "open", "note"}) sum += row[kind].get<std::size_t>();
   EXPECT_EQ(sum, kClauseCount);
+  std::size_t known = 0;
+  for (const auto& row : json)
+    for (const char* name : {"manual", "sister", "recollection", "ours"})
+      known += row["known"][name].get<std::size_t>();
+  EXPECT_EQ(known, kClauseCount);
   EXPECT_NE(list_sections(ReportFormat::text).find("\nfanuc/leading-edge-offset "), std::string::npos);
 }
 
