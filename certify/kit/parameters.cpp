@@ -36,10 +36,11 @@ constexpr std::array kMayChange = {
     spec::ParameterId{5001, 0},   spec::ParameterId{5001, 1},   spec::ParameterId{5001, 2},
     spec::ParameterId{5001, 3},   spec::ParameterId{5001, 4},   spec::ParameterId{5001, 5},
     spec::ParameterId{5001, 6},   spec::ParameterId{5003, 0},   spec::ParameterId{5003, 1},
-    spec::ParameterId{5003, 2},   spec::ParameterId{5008, 0},   spec::ParameterId{5010, -1},
-    spec::ParameterId{6261, -1},  spec::ParameterId{19604, 0},  spec::ParameterId{19605, 5},
-    spec::ParameterId{19608, 5},  spec::ParameterId{19630, -1}, spec::ParameterId{19631, -1},
-    spec::ParameterId{19738, -1}, spec::ParameterId{19739, -1},
+    spec::ParameterId{5003, 2},   spec::ParameterId{5008, 0},   spec::ParameterId{5008, 1},
+    spec::ParameterId{5008, 3},   spec::ParameterId{5010, -1},  spec::ParameterId{6261, -1},
+    spec::ParameterId{19604, 0},  spec::ParameterId{19605, 5},  spec::ParameterId{19608, 5},
+    spec::ParameterId{19630, -1}, spec::ParameterId{19631, -1}, spec::ParameterId{19738, -1},
+    spec::ParameterId{19739, -1},
 };
 
 }  // namespace

@@ -169,6 +169,31 @@ void sense_from_above(const spec::Case& c, std::vector<model::Event>& events) {
   }
 }
 
+// The block before G92 ends with the vector it started with.
+void keep_before_a_shift(const spec::Case& c, std::vector<model::Event>& events) {
+  const spec::Axes& axes = c.setup.axes;
+  std::vector<std::uint64_t> shifts;
+  std::uint64_t line = 1;
+  for (std::size_t at = 0; at < c.program.size(); ++at) {
+    if (c.program.compare(at, 3, "G92") == 0) shifts.push_back(line);
+    if (c.program[at] == '\n') ++line;
+  }
+  std::vector<model::Event*> moves;
+  for (model::Event& event : events)
+    if (event.kind == spec::EventKind::move) moves.push_back(&event);
+  for (std::size_t i = 1; i + 1 < moves.size(); ++i) {
+    const auto renames = [&](std::uint64_t shift) { return moves[i]->line < shift && shift < moves[i + 1]->line; };
+    if (std::ranges::none_of(shifts, renames)) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!axes.has("XYZ"[k])) continue;
+      const std::size_t axis = axes.index("XYZ"[k]);
+      const Real kept = moves[i - 1]->point[axis] - moves[i - 1]->programmed[axis];
+      moves[i]->point.value.at(axis) += kept;
+      moves[i]->axes.value.at(axis) += kept;
+    }
+  }
+}
+
 constexpr WrongClause kWrong[] = {
     {"side_along_the_former_tool", "fanuc/tool-side-compensation", "perpendicular-to-the-tool", kBudget, nullptr,
      keep_along_the_former_tool},
@@ -183,6 +208,8 @@ constexpr WrongClause kWrong[] = {
      nullptr},
     {"cutter_c_negative_value", "fanuc/cutter-compensation-c", "beside-the-line-before", kBudget, positive_values,
      nullptr},
+    {"cutter_c_kept_by_92", "fanuc/cutter-compensation-c", "where-the-tool-is-said-to-be", kBudget, nullptr,
+     keep_before_a_shift},
     {"tip_without_holder_offset", "fanuc/tool-center-point-control", "tip-of-the-axes", kBudget, without_holder_offset,
      nullptr},
     {"tip_sense", "fanuc/tool-center-point-control", "axis-of-the-positions", kBudget, other_sense, nullptr},

@@ -33,6 +33,8 @@ constexpr Law<FanucScene> kFanucLaws[] = {
     {{"normal-of-the-block", "type B: the vector is the radius along the normal of its block"}, normal_of_the_block},
     {{"on-the-path-without-a-mode", "without a mode there is no vector, and cancelling ends on the programmed path"},
      on_the_path_without_a_mode},
+    {{"where-the-tool-is-said-to-be", "G92 names the place of the tool: no vector stands there"},
+     where_the_tool_is_said_to_be},
     {{"leading-edge-vector", "the vector is across the tool, in the plane of tool and movement, of the radius long"},
      leading_edge_vector},
     {{"length-offset", "the axes go to the point plus the offset of the block"}, length_offset},

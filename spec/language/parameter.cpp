@@ -30,6 +30,11 @@ bool is_one_of(const Decimal& value, std::string_view values) {
   });
 }
 
+// Of a bit that may only be 0: what is not supported.
+std::string not_supported(const ParameterInfo& p) {
+  return " (" + std::string(p.text.substr(0, p.text.find(". "))) + ")";
+}
+
 std::string_view kind(ParameterType type) {
   switch (type) {
     case ParameterType::length:
@@ -57,6 +62,15 @@ unsigned known_bits(std::uint32_t number) {
     if (p.id.number == number && p.id.bit >= 0) bits |= 1U << static_cast<unsigned>(p.id.bit);
   return bits;
 }
+
+unsigned free_bits(std::uint32_t number) {
+  unsigned bits = known_bits(number);
+  for (const ParameterInfo& p : parameters())
+    if (p.id.number == number && is_not_supported(p)) bits &= ~(1U << static_cast<unsigned>(p.id.bit));
+  return bits;
+}
+
+bool is_not_supported(const ParameterInfo& p) { return p.type == ParameterType::bit && !p.values.empty(); }
 
 bool is_known(ParameterId id) { return find_parameter(id) != nullptr || (id.bit < 0 && known_bits(id.number) != 0); }
 
@@ -88,10 +102,17 @@ std::string expected_value(ParameterId id, const Axes& axes) {
   const ParameterInfo* const p = find_parameter(id);
   if (p == nullptr) {
     std::string bits;
-    for (const ParameterInfo& other : parameters())
-      if (other.id.number == id.number) bits += (bits.empty() ? "" : " ") + std::to_string(other.id.bit);
-    return "a whole number of no bits but " + any_of(split(bits, ' '));
+    std::string others;
+    for (const ParameterInfo& other : parameters()) {
+      if (other.id.number != id.number) continue;
+      if (is_not_supported(other))
+        others += not_supported(other);
+      else
+        bits += (bits.empty() ? "" : " ") + std::to_string(other.id.bit);
+    }
+    return (bits.empty() ? "0" : "a whole number of no bits but " + any_of(split(bits, ' '))) + others;
   }
+  if (is_not_supported(*p)) return "0" + not_supported(*p);
   if (!p->values.empty()) return any_of(split(p->values, ' '));
   if (p->type == ParameterType::bit) return "0 or 1";
   if (p->type == ParameterType::axis)
@@ -104,7 +125,7 @@ std::string expected_value(ParameterId id, const Axes& axes) {
 bool allows(ParameterId id, const Decimal& value, const Axes& axes) {
   const ParameterInfo* const p = find_parameter(id);
   if (p == nullptr) {
-    const std::uint64_t other_bits = ~std::uint64_t{known_bits(id.number)};
+    const std::uint64_t other_bits = ~std::uint64_t{free_bits(id.number)};
     return is_known(id) && value.is_integer() && !value.negative && (value.digits & other_bits) == 0;
   }
   if (!p->values.empty()) return is_one_of(value, p->values);

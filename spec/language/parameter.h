@@ -34,6 +34,10 @@ std::span<const ParameterInfo> parameters();
 const ParameterInfo* find_parameter(ParameterId id);
 // The bits of a number that are known, as that number; 0 for others.
 unsigned known_bits(std::uint32_t number);
+// Those of them that may be 1.
+unsigned free_bits(std::uint32_t number);
+// A bit that may only be 0: what 1 asks for is not supported.
+bool is_not_supported(const ParameterInfo& parameter);
 // It has an entry, or is a number with known bits, which as a whole gives all of them.
 bool is_known(ParameterId id);
 // The known parameter that is nearest to "number" or "number#bit": by the digits of the number, its value, the bit.

@@ -64,8 +64,15 @@ void read_parameter(const Member& member, const Reader& read, Setup& setup) {
   if (!is_known(*id))
     read.fail(member.at, "parameters: " + in_quotes(name) + " is not known (`toolcomp spec parameters` lists them)" +
                              did_you_mean(name, std::vector{to_string(nearest_parameter(*id).id)}));
+  const auto expect_allowed = [&](bool allowed, const std::string& found) {
+    if (!allowed)
+      read.fail(member.value.at,
+                "parameters." + name + ": expected " + expected_value(*id, setup.axes) + ", found " + found);
+  };
   if (id->bit >= 0 && member.value.kind == Kind::boolean) {
-    setup.parameters[*id] = decimal(member.value.boolean ? 1 : 0);
+    const Decimal bit = decimal(member.value.boolean ? 1 : 0);
+    expect_allowed(allows(*id, bit, setup.axes), member.value.boolean ? "true" : "false");
+    setup.parameters[*id] = bit;
     return;
   }
   if (is_row_of_bits(member.value) && id->bit < 0 && known_bits(id->number) != 0)
@@ -73,12 +80,9 @@ void read_parameter(const Member& member, const Reader& read, Setup& setup) {
   const Decimal value = read.decimal(member.value, name);
   // In quotes, too, a bit is one digit: a row of eight would be all bits of the number.
   const bool row = member.value.kind == Kind::string && member.value.text.size() > 1;
-  const bool allowed = allows(*id, value, setup.axes);
-  if (id->bit >= 0 && (row || !allowed))
+  if (id->bit >= 0 && (row || (value != decimal(0) && value != decimal(1))))
     read.fail(member.value.at, name + ": a bit is 0 or 1, found " + in_quotes(member.value.text));
-  if (!allowed)
-    read.fail(member.value.at, "parameters." + name + ": expected " + expected_value(*id, setup.axes) + ", found " +
-                                   in_quotes(member.value.text));
+  expect_allowed(allows(*id, value, setup.axes), in_quotes(member.value.text));
   setup.parameters[*id] = value;
 }
 

@@ -265,12 +265,13 @@ std::string parameter_properties() {
     if (p.id.bit >= 0 && p.id.number != last)
       add({p.id.number, -1},
           R"({ "description": "Its bits as one number.", "$ref": "#/$defs/whole", "minimum": 0, "maximum": )" +
-              std::to_string(known_bits(p.id.number)));
+              std::to_string(free_bits(p.id.number)));
     last = p.id.number;
     std::string schema = description(p);
-    schema += p.type == ParameterType::bit ? R"("enum": [0, 1, "0", "1", false, true])"
-              : p.values.empty()           ? bounds(p)
-                                           : enumeration(p.values);
+    schema += is_not_supported(p)            ? R"("enum": [0, "0", false])"
+              : p.type == ParameterType::bit ? R"("enum": [0, 1, "0", "1", false, true])"
+              : p.values.empty()             ? bounds(p)
+                                             : enumeration(p.values);
     if (p.default_value) schema.append(R"(, "default": )").append(to_string(*p.default_value));
     add(p.id, schema);
   }

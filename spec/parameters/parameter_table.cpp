@@ -104,6 +104,11 @@ class Parameters {
     const toml::node* range = own_or_of_type(table, "range");
     const auto* values = table["values"].as_array();
     const bool bit_or_axis = type == "bit" || type == "axis";
+    if (type == "bit" && values != nullptr) {
+      if (values->size() != 1 || values->get(0)->value<std::int64_t>() != 0)
+        registry_.fail(*values, "of a bit values may only be [0]: 1 is not supported");
+      return R"(Decimal{}, Decimal{}, "0")";
+    }
     if ((range != nullptr) + (values != nullptr) + bit_or_axis != 1)
       registry_.fail(table, "range or values must stand here, for a bit or an axis neither");
     if (bit_or_axis)

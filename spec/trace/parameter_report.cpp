@@ -27,7 +27,7 @@ std::string joined(std::string_view list, char separator, std::string_view with)
 
 // What a value may be, for people.
 std::string values_text(const ParameterInfo& p) {
-  if (p.type == ParameterType::bit) return "0, 1";
+  if (p.type == ParameterType::bit) return is_not_supported(p) ? "0" : "0, 1";
   if (p.type == ParameterType::axis) return "0 to the number of axes";
   return p.values.empty() ? fmt::format("{} to {}", to_string(p.least), to_string(p.greatest))
                           : joined(p.values, ' ', ", ");

@@ -63,7 +63,8 @@ Texts run(const spec::Case& c) {
 }
 
 bool has_effect(const spec::ParameterInfo& p) {
-  return p.text.find("Accepted, without effect") == std::string_view::npos;
+  const bool has_choice = p.values.empty() || p.values.find(' ') != std::string_view::npos;
+  return has_choice && p.text.find("Accepted, without effect") == std::string_view::npos;
 }
 
 // The case with every parameter that its setup does not give, as the registry has it.

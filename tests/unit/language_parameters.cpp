@@ -97,6 +97,9 @@ TEST(Parameters, KnownBits) {
   EXPECT_EQ(known_bits(5001), 0x7FU);
   EXPECT_EQ(known_bits(19605), 0x20U);
   EXPECT_EQ(known_bits(19631), 0U);
+  EXPECT_EQ(known_bits(19607), 0x20U);
+  EXPECT_EQ(free_bits(19607), 0U);
+  EXPECT_EQ(free_bits(5008), 0xBU);
   EXPECT_TRUE(is_known({5001, -1}));
   EXPECT_FALSE(is_known({5001, 7}));
   EXPECT_FALSE(is_known({19631, 0}));

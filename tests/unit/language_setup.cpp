@@ -351,6 +351,18 @@ TEST(Setup, BitsAsOneNumberAreThoseThatAreKnown) {
   EXPECT_EQ(at("5003 = 1.0"), expected + "\"1.0\"");
 }
 
+// Avoidance of interference: by name, however it is written.
+TEST(Setup, WhatIsNotSupportedIsRefused) {
+  const auto at = [](const std::string& line) { return toml_error("[parameters]\n" + line); };
+  const std::string expected =
+      "expected 0 (CAV of series 30i: avoidance of interference, which is not supported), found ";
+  EXPECT_EQ(at("\"19607#5\" = 1"), "f.toml:2:13: parameters.19607#5: " + expected + "\"1\"");
+  EXPECT_EQ(at("\"19607#5\" = true"), "f.toml:2:13: parameters.19607#5: " + expected + "true");
+  EXPECT_EQ(at("19607 = 32"), "f.toml:2:9: parameters.19607: " + expected + "\"32\"");
+  EXPECT_EQ(at("\"19607#5\" = 0"), "no error");
+  EXPECT_EQ(at("19607 = 0"), "no error");
+}
+
 // 00000100 is bit 2 on a control, and would be bits 6, 5 and 2 as a decimal number: 100 = 64 + 32 + 4.
 TEST(Setup, ARowOfBitsIsNoNumber) {
   const auto at = [](const std::string& line) { return toml_error("[parameters]\n" + line); };

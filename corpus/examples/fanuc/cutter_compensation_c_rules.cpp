@@ -12,6 +12,17 @@ namespace {
   "[position]\nX = " x "\nY = " y "\n"
 // From (-40, 0), with a head at (0, 10): A from (0, 0) to (40, 0), then the rest.
 #define A_LINE(rest) CUTTER("", "10", "-40", "0"), "G17 G90 G01 F100 G41 D1 X0 Y0\nX40.\n" rest "\n"
+#define A_WITH(parameters, rest) CUTTER(parameters, "10", "-40", "0"), "G17 G90 G01 F100 G41 D1 X0 Y0\nX40.\n" rest "\n"
+#define SERIES_30I(parameters, rest)                                                               \
+  "control = \"fanuc\"\nseries = \"30i\"\naxes = [\"X\", \"Y\", \"Z\"]\n[parameters]\n" parameters \
+  "[offsets.D]\n1 = 10\n[position]\nX = -40\nY = 0\n",                                             \
+      "G17 G90 G01 F100 G41 D1 X0 Y0\nX40.\n" rest "\n"
+#define CNC "\"5008#1\" = 1\n"
+#define CNV "\"5008#3\" = 1\n"
+// B and C behind A: groups (50,10) (54,2) and (57,6). B is interfered with by both pairs.
+#define NOTCH "X37. Y-4.\nX80."
+// An arc of R5 between (50,10) (50,0) and (40,0) (40,10) (60,10).
+#define SMALL_ARC "G03 X50. Y0 I5. J0\nG01 Y-20."
 #define A_CCN(rest) CUTTER("\"5003#2\" = 1\n", "10", "-40", "0"), "G17 G90 G01 F100 G41 D1 X0 Y0\nX40.\n" rest "\n"
 
 constexpr Example kRules[] = {
@@ -21,7 +32,30 @@ constexpr Example kRules[] = {
     {"G41.3 without a number behind G42 without one, in a block with G10: one setting, then Z275.7.",
      "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\"]\n[offsets.H]\n1 = 15\n",
      "G90 G01 F100 G42 X177.\nG41.3 G10 L11 P1 R.7\nG43 Z275. H1\n"},
-    {"G92 of an axis of the plane in the mode: undecided.", A_LINE("G92 X0\nX60.")},
+    {"G92 of an axis of the plane in the mode: A ends at its programmed point (40,0), called (0,0), then (60,10).",
+     A_LINE("G92 X0\nX60.")},
+    {"14.6.3, G92 behind an acute corner: (294.7477426856111,713.1306432859723) "
+     "(304.4721359549996,713.4164078649987), the programmed point (600,100), called (100,200), then the vector of N8.",
+     CUTTER("", "10", "-30", "-70"),
+     "N4 G17 G91 G01 F100 G41 D1 X30. Y70.\nN5 X300. Y700.\nN6 X300. Y-600.\nN7 G92 X100. Y200.\n"
+     "N8 G01 X400. Y800.\n"},
+    {"G92 behind the start-up block: that ends at its programmed point too, the block after at its inner corner.",
+     CUTTER("", "10", "-40", "0"), "G17 G90 G01 F100 G41 D1 X0 Y0\nG92 X100.\nX140.\nY50.\n"},
+    {"G52 behind one block without motion: A ends at its programmed point as well, called (60,0), and (40,-10).",
+     A_LINE("M05\nG52 X-20.\nX40.")},
+    {"G92 and an arc: from (0,0), 30 from the centre, round to R' = 20.", A_LINE("G92 X0\nG03 X30. Y30. J30.")},
+    {"G40 beside G92: the mode is off, and the next move is programmed.", A_LINE("G40 G92 X0\nX60.")},
+    {"G92 behind two blocks without motion, where the tool stands at P1: undecided.", A_LINE("M05\nM03\nG92 X0\nX60.")},
+    {"G92 where a vector waits for its removal: undecided.", A_LINE("G40\nG92 X0\nX60.")},
+    {"CNC = 1, a groove of width 15: no alarm, (30,10) (30,5).", A_WITH(CNC, "Y15.\nX0")},
+    {"CNC = 1, a notch: (54,2) is dropped, the last pair goes back by -5 and runs all the same, (50,10) (57,6).",
+     A_WITH(CNC, NOTCH)},
+    {"CNC = 1, an arc whose only pair interferes by its radius: PS0041 after (40,10).",
+     A_WITH(CNC, "G03 X48. Y8. I0 J8.\nG01 Y40.")},
+    {"CNV = 1 on series 16i means nothing: vectors are dropped, (50,10) (60,10).", A_WITH(CNV, SMALL_ARC)},
+    {"CNV = 1 on series 30i: no vector is dropped, PS0041 after (50,10).", SERIES_30I(CNV, SMALL_ARC)},
+    {"CNV = 1 and CNC = 1 on series 30i, a notch: all vectors stay, (50,10) (54,2) (57,6).",
+     SERIES_30I(CNC CNV, NOTCH)},
     {"Offset circles that touch from outside: radii 13 and 15, centres 14 apart, offset 7: 6 + 8 = 14, (6,0).",
      CUTTER("", "7", "-19", "-22"),
      "G17 G90 G01 F100 G41 D1 X5. Y-12.\nG03 X5. Y12. I-5. J12.\nX23. Y-12. I9. J-12.\n"},
@@ -36,7 +70,9 @@ constexpr Example kRules[] = {
     {"An arc about its start: PS0038 as well.", A_LINE("G03 X60. Y0 I0 J0")},
     {"G53 of an axis outside the plane keeps the vector: (40,10) at Z5, then (80,10).", A_LINE("G53 Z5.\nX80.")},
     {"G53 of one axis of the plane, CCN = 0: both components go: (100,0).", A_LINE("G53 X100.\nX140.")},
-    {"G53 of one axis of the plane, CCN = 1: only its own goes: (100,10).", A_CCN("G53 X100.\nX140.")},
+    {"G53 of one axis of the plane, CCN = 1: both go as well: (100,0).", A_CCN("G53 X100.\nX140.")},
+    {"G28 of one axis of the plane, CCN = 1: at the intermediate point (60,10), both gone at the reference position.",
+     A_CCN("G28 X60.")},
     {"G28 with CCN = 1 and no way to the intermediate point: (40,10), kept there, then (0,0).", A_CCN("G28 X40. Y0")},
     {"The side changes in the block after the start-up: it ends perpendicular, (0,10), DIR_CHANGE_AT_STARTUP.",
      CUTTER("", "10", "-40", "0"), "G17 G90 G01 F100 G41 D1 X0 Y0\nG42 X40. Y30.\n"},
@@ -44,6 +80,12 @@ constexpr Example kRules[] = {
 
 #undef CUTTER
 #undef A_LINE
+#undef A_WITH
+#undef SERIES_30I
+#undef CNC
+#undef CNV
+#undef NOTCH
+#undef SMALL_ARC
 #undef A_CCN
 
 }  // namespace

@@ -105,6 +105,13 @@ class CornerStage {
       section().make_.set(group, HeadKind::first_normal);
     return let_out();
   }
+  // It goes out to its programmed end.
+  void release_path_without_vector() {
+    section().set_corner(at_end(), nullptr, CornerRule::ordinary);
+    at_end().clear();
+    checked_ = false;
+    (void)let_out();
+  }
   StageEnd release_paths() {
     while (held_ == Held::path)
       if (const Alarm a = release_path()) return at_fault(a);

@@ -18,6 +18,12 @@ enum class Interference : std::uint8_t {
   alarm,         // PS0041
 };
 
+// What parameters change of the check.
+struct InterferenceParameters {
+  bool keeps_vectors = false;       // none is dropped: the first pair that interferes is the last one
+  bool no_direction_alarm = false;  // a way against the programmed one is run all the same
+};
+
 // Angles of the tool's arc that are equal in truth differ by a few roundings.
 constexpr double kEqualAngle = 0x1p-40;
 
@@ -36,11 +42,11 @@ inline bool arc_interferes(const PlanePath& path, int start_sign, int end_sign, 
 // way from vector v of `start` to w of `end`.
 template <class Group, class ArcTest, class LineTest>
 Interference check_pairs(bool arc, Group& start, Group& end, const ArcTest& arc_interferes,
-                         const LineTest& line_interferes) {
+                         const LineTest& line_interferes, const InterferenceParameters& parameters = {}) {
   const std::size_t last = start.size - 1U;
   if (!(arc ? arc_interferes() : line_interferes(last, 0))) [[likely]]
     return Interference::none;
-  const std::size_t pairs = std::max(start.size, end.size);
+  const std::size_t pairs = parameters.keeps_vectors ? 1 : std::max(start.size, end.size);
   for (std::size_t q = 1; q < pairs; ++q) {
     const std::size_t from_start = std::min(q, last);
     const std::size_t from_end = std::min<std::size_t>(q, end.size - 1U);
@@ -49,7 +55,11 @@ Interference check_pairs(bool arc, Group& start, Group& end, const ArcTest& arc_
     end.drop_first(from_end);
     return arc ? Interference::straightened : Interference::none;
   }
-  return Interference::alarm;
+  if (!parameters.no_direction_alarm || (arc && pairs == 1)) return Interference::alarm;
+  if (pairs == 1) return Interference::none;
+  start.drop_last(last);
+  end.drop_first(end.size - 1U);
+  return arc ? Interference::straightened : Interference::none;
 }
 
 }  // namespace toolcomp::fast

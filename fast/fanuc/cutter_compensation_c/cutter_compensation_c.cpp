@@ -85,7 +85,6 @@ void CutterCompensationC::set_normal(CutterGroup& group, const PlanePath& path, 
   corner.last = &last_->flat.end();
   corner.first_side = last_->side;
   corner.offset = &last_->offset;
-  group.cleared = 0;
   if (second == nullptr) {
     corner.second = nullptr;
     corner.next = corner.last;
@@ -126,16 +125,13 @@ StageEnd CutterCompensationC::block() {
       return to_intermediate(block);
     case CutterMotion::to_reference:
     case CutterMotion::from_reference:
-      if (clears_ != 0) clear_components(clears_);
-      clears_ = 0;
+      if (clears_) take_vector_away();
+      clears_ = false;
       send_in_force(block);
       return {};
-    case CutterMotion::shift: {
-      // A lone G41 or G42 makes no vector where its mode ends in this very block.
-      const bool on = mode_ == Mode::starts ? wanted(block) : mode_ != Mode::off;
-      if (on && block.named != 0) return undecide(block, "fanuc.cutter-c.coordinate-shift");
-      return still_block(block);
-    }
+    case CutterMotion::shift:
+      return block.named != 0 && mode_ != Mode::off && !fault(Fault::c_kept_before_shift) ? shift_in_plane(block)
+                                                                                          : still_block(block);
   }
   return {};
 }
@@ -270,6 +266,19 @@ StageEnd CutterCompensationC::still_block(CutterBlock& block) {
   return {};
 }
 
+// G52 or G92 of the plane: the vector goes for a time, and the block before ends without it.
+StageEnd CutterCompensationC::shift_in_plane(CutterBlock& block) {
+  if (held_ == Held::path) {
+    release_path_without_vector();
+  } else {
+    if (const StageEnd end = release()) return end;
+    if (mode_ == Mode::off) return still_block(block);
+    if (!vector_is_zero()) return undecide(block, "fanuc.cutter-c.coordinate-shift-with-vector");
+  }
+  take_vector_away();
+  return still_block(block);
+}
+
 StageEnd CutterCompensationC::corner_arc(CutterBlock& block) {
   if (mode_ != Mode::on) {
     send_in_force(block);
@@ -338,7 +347,7 @@ StageEnd CutterCompensationC::leave_path(CutterBlock& block) {
     at_start().clear();
     mode_ = Mode::off;
   } else {
-    clear_components(block.named);
+    take_vector_away();
   }
   send_in_force(block);
   return {};
@@ -348,7 +357,7 @@ StageEnd CutterCompensationC::leave_path(CutterBlock& block) {
 StageEnd CutterCompensationC::to_intermediate(CutterBlock& block) {
   const bool stays = mode_ == Mode::on && wanted(block) && parameters_.keeps_mode && block.named != 0;
   if (!stays) return leave_path(block);
-  clears_ = block.named;
+  clears_ = true;
   if (block.start[0] == block.end[0] && block.start[1] == block.end[1]) {
     if (const StageEnd end = release()) return end;
     send_in_force(block);
@@ -359,12 +368,8 @@ StageEnd CutterCompensationC::to_intermediate(CutterBlock& block) {
   return release();
 }
 
-void CutterCompensationC::clear_components(std::uint8_t components) {
-  CutterGroup& group = at_start();
-  group.cleared = static_cast<std::uint8_t>(group.cleared | components);
-  Vector2<double>& vector = group.head[0].vector;
-  if ((group.cleared & 1U) != 0) vector.x = 0;
-  if ((group.cleared & 2U) != 0) vector.y = 0;
+void CutterCompensationC::take_vector_away() {
+  at_start().clear();
   fresh_ = true;
   after_start_ = false;
 }

@@ -110,7 +110,7 @@ class CutterCompensationC : public CornerStage<CutterCompensationC, CutterBlock,
   }
   void set_tool_arc(spec::Arc<double>& arc) { fast::set_tool_arc(arc, checked_block(), at_start(), at_end()); }
   [[nodiscard]] Interference check_interference(const std::optional<double>& sweep) {
-    return fast::check_interference(checked_block(), sweep, at_start(), at_end());
+    return fast::check_interference(checked_block(), sweep, at_start(), at_end(), parameters_.interference);
   }
   void add(Event& event, const Vector2<double>& vector) const;
   // It moves in the coordinates after its G92.
@@ -130,13 +130,15 @@ class CutterCompensationC : public CornerStage<CutterCompensationC, CutterBlock,
   StageEnd still_block(CutterBlock& block);
   StageEnd corner_arc(CutterBlock& block);
   StageEnd leave_path(CutterBlock& block);
+  StageEnd shift_in_plane(CutterBlock& block);
   StageEnd to_intermediate(CutterBlock& block);
 
   // What is held goes out before `to`, or is at_fault(); leaves the vectors there in at_start().
   [[nodiscard]] Alarm end_held(const CutterPath& to, CornerRule rule);
   // The move of a G39 block, to the vector perpendicular to `heading`.
   void send_corner_arc(CutterBlock& block, const Heading& heading);
-  void clear_components(std::uint8_t components);
+  // The mode goes on without a vector.
+  void take_vector_away();
   static void set_flat(PlanePath& flat, const CutterBlock& block);
   // The offset to the left of a heading, or to its right.
   void set_normal(CutterGroup& group, const PlanePath& path, const Heading& heading, int side,
@@ -160,8 +162,8 @@ class CutterCompensationC : public CornerStage<CutterCompensationC, CutterBlock,
   CutterSide side_ = CutterSide::off;    // of the block before
   CutterSide before_ = CutterSide::off;  // in force before this block
   std::uint32_t number_ = 0;
-  bool fresh_ = false;       // nothing but a vector is known: after G53 and the like with CCN = 1
-  std::uint8_t clears_ = 0;  // components that the move to the reference position removes
+  bool fresh_ = false;   // no vector has been made again: after G52 and G92, and after G53 and the like with CCN = 1
+  bool clears_ = false;  // the move to the reference position removes the vector
 
   // Of the path that is held.
   int start_side_ = 1;  // of the corner at its start, or of the lone G41 or G42 that is held

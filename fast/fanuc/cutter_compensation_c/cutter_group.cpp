@@ -36,7 +36,11 @@ struct Distance {
 }  // namespace
 
 CutterParameters::CutterParameters(const spec::Setup& setup)
-    : CornerParameters(setup), acts_alone(setup.bit(5003, 1)), keeps_mode(setup.bit(5003, 2)) {}
+    : CornerParameters(setup), acts_alone(setup.bit(5003, 1)), keeps_mode(setup.bit(5003, 2)) {
+  interference.keeps_vectors =
+      setup.series == spec::Series::series_30i && setup.bit(5008, 3) && !fault(Fault::c_vectors_dropped);
+  interference.no_direction_alarm = setup.bit(5008, 1) && !fault(Fault::c_alarm_of_direction);
+}
 
 // (tan 1 k)^2 > c^2.
 bool CutterGroups::is_under_one_degree(const Corner& corner) {

@@ -7,6 +7,7 @@
 
 #include "fast/basis/fault.h"
 #include "fast/fanuc/corner/corner_group.h"
+#include "fast/fanuc/corner/interference.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::fast {
@@ -15,8 +16,9 @@ struct CutterParameters : CornerParameters {
   // Throws spec::InputError for parameters no control could have.
   explicit CutterParameters(const spec::Setup& setup);
 
-  bool acts_alone = false;  // 5003#1, SUV
-  bool keeps_mode = false;  // 5003#2, CCN
+  bool acts_alone = false;              // 5003#1, SUV
+  bool keeps_mode = false;              // 5003#2, CCN
+  InterferenceParameters interference;  // 5008#1, CNC; 5008#3, CNV
 };
 
 struct CutterHead {
@@ -24,20 +26,10 @@ struct CutterHead {
   HeadKind kind = HeadKind::zero;
 };
 
-// G53 may clear one component of the only vector of a group.
 struct CutterGroup : HeadGroup<CutterHead, Corner> {
-  std::uint8_t cleared = 0;  // bit i: component i
-
-  void clear() {
-    HeadGroup::clear();
-    cleared = 0;
-  }
   // The vector of a head to about 90 bits.
   [[nodiscard]] Vector2<DoubleDouble> fine(std::size_t index) const {
-    Vector2<DoubleDouble> v = fine_head_vector(corner, head[index].kind);
-    if ((cleared & 1U) != 0) v.x = {};
-    if ((cleared & 2U) != 0) v.y = {};
-    return v;
+    return fine_head_vector(corner, head[index].kind);
   }
 };
 

@@ -60,7 +60,6 @@ Radii compare_radii(const CheckedBlock& block, const CutterGroup& start_group, c
     start = radial(same(from));
   else if (meets(first) || first == HeadKind::second_normal || offset.nearest == 0)
     start = Place::on_circle;
-  if (start_group.cleared != 0) return Radii::unknown;
   Place end = Place::unknown;
   if (meets(last) || last == HeadKind::first_normal || offset.nearest == 0)
     end = Place::on_circle;
@@ -80,12 +79,12 @@ Radii compare_radii(const CheckedBlock& block, const CutterGroup& start_group, c
 }  // namespace
 
 Interference check_interference(const CheckedBlock& block, const std::optional<double>& sweep, CutterGroup& start,
-                                CutterGroup& end) {
+                                CutterGroup& end, const InterferenceParameters& parameters) {
   const PlanePath& path = *block.path;
   const bool stays_arc = path.arc && fault(Fault::c_arc_after_removal);
   const Interference result = check_pairs(
       path.arc, start, end, [&] { return arc_interferes(block, sweep); },
-      [&](std::size_t v, std::size_t w) { return !stays_arc && line_interferes(path, start, v, end, w); });
+      [&](std::size_t v, std::size_t w) { return !stays_arc && line_interferes(path, start, v, end, w); }, parameters);
   return stays_arc && result == Interference::straightened ? Interference::none : result;
 }
 

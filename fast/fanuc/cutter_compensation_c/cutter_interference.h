@@ -22,7 +22,7 @@ struct CheckedBlock {
 // Drops the vectors that interfere from the end of `start` and the beginning of `end`; where the answer is an alarm it
 // drops none. `sweep`: of an arc, the tool's own, between the last of `start` and the first of `end`.
 Interference check_interference(const CheckedBlock& block, const std::optional<double>& sweep, CutterGroup& start,
-                                CutterGroup& end);
+                                CutterGroup& end, const InterferenceParameters& parameters);
 
 // Sweep and radii of the tool's own arc.
 void set_tool_arc(spec::Arc<double>& arc, const CheckedBlock& block, const CutterGroup& start, const CutterGroup& end);

@@ -54,7 +54,6 @@ void CutterCompensationC::take_back(const UsualLine& line, const std::array<std:
 
   CutterGroup& start = at_start();
   const Turn turned = turn_of_narrow(from.flat.start, to.flat.start);
-  start.cleared = 0;
   start.corner = {&from.flat, &to.flat, &from.flat.start, &to.flat.start, to.side, to.side, &from.offset, turned};
   if (line.start == UsualLine::Start::one_vector) {
     make_.set(start, turned.c == 0 ? HeadKind::first_normal : HeadKind::tangents_meet);
@@ -89,7 +88,7 @@ bool CutterCompensationC::lend(UsualLoan& loan) {
   loan.offset.limit = parameters_.limit_value;
   loan.offset.keeps_all = parameters_.keeps_all;
   loan.corner_move = &corner_move(start);
-  if (start.cleared != 0 || !set_usual_path(loan.path, last_->flat)) return false;
+  if (!set_usual_path(loan.path, last_->flat)) return false;
   if (last_->flat.arc && !(starts_on_circle() && has_offset_path(loan.path, loan.offset))) return false;
   loan.start.size = 0;
   for (std::size_t i = 0; i < start.size; ++i)
@@ -118,7 +117,6 @@ void CutterCompensationC::take_back(const UsualReturn& usual) {
 
   CutterGroup& start = at_start();
   const Turn turned = turn(from.flat.end(), to.flat.start);
-  start.cleared = 0;
   start.corner = {&from.flat, &to.flat, &from.flat.end(), &to.flat.start, to.side, to.side, &from.offset, turned};
   start.size = usual.corner.size;
   for (std::size_t i = 0; i < start.size; ++i)

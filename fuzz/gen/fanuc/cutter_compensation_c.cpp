@@ -58,7 +58,7 @@ class CompensationC final : public CutterProgram {
   }
 
   void inside() override {
-    switch (choose_.weighted({38, 22, 6, 7, 7, 5, 4, 4, 3, 2, 2})) {
+    switch (choose_.weighted({38, 22, 6, 7, 7, 5, 4, 4, 3, 2, 2, 3})) {
       case 0:
         return block(contour_.movement());
       case 1:
@@ -84,9 +84,39 @@ class CompensationC final : public CutterProgram {
       case 9:
         switch_mode();
         return block(contour_.movement());
-      default:
+      case 10:
         return seldom();
+      default:
+        return shift();
     }
+  }
+
+  // G92 or G52 of the plane, straight behind a movement or one or two blocks later, with a code or alone.
+  void shift() {
+    if (choose_.chance(70)) block(contour_.movement());
+    const std::size_t still = choose_.weighted({70, 22, 8});
+    for (std::size_t i = 0; i < still; ++i) still_block();
+    if (choose_.chance(10)) write_.word(choose_.one_of({"G40", "G41", "G42", "D0", "D1", "G43 H1"}));
+    shift_words();
+    write_.end_block();
+    if (choose_.chance(10)) {
+      shift_words();
+      write_.end_block();
+    }
+    if (choose_.chance(12)) return corner_arc();
+    if (choose_.chance(12)) return cancel();
+    if (choose_.chance(10)) machine_block();
+    block(contour_.movement());
+  }
+
+  void shift_words() {
+    write_.word(choose_.chance(75) ? "G92" : "G52");
+    const std::size_t axes = choose_.weighted({60, 15, 15, 10});
+    std::string letters;
+    if (axes == 0 || axes == 1 || axes == 3) letters += first();
+    if (axes == 0 || axes == 2) letters += second();
+    if (axes == 3) letters += normal();
+    for (const char letter : letters) write_.axis(letter, choose_.between(-8, 8) * 10 * write_.one());
   }
 
   void shapes() {

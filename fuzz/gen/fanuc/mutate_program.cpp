@@ -155,7 +155,7 @@ void change_parameter(Choices& choose, Mode mode, spec::Setup& setup) {
       setup.parameters[{19631, -1}] = decimal(choose.between(-1'000, 90'000), 3);
       return;
     case 2: {
-      constexpr spec::ParameterId bits[] = {{5003, 0}, {5003, 1}, {5003, 2}, {5008, 0}};
+      constexpr spec::ParameterId bits[] = {{5003, 0}, {5003, 1}, {5003, 2}, {5008, 0}, {5008, 1}, {5008, 3}};
       const spec::ParameterId bit = choose.one_of(bits);
       setup.parameters[bit] = spec::decimal(choose.between(0, 1));
       return;

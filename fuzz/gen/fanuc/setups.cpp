@@ -315,6 +315,11 @@ Setup random_cutter_setup(Choices& choose, spec::CutterCompensationType type) {
   if (choose.chance(75))
     for (spec::AxisTable& origin : setup.workpiece) origin.clear();
   cutter_offsets(choose, setup);
+  if (type == spec::CutterCompensationType::c) {
+    if (choose.chance(40)) setup.series = spec::Series::series_30i;
+    for (const int bit : {1, 3})
+      if (choose.chance(30)) set_bit(setup, 5008, bit, choose.chance(80));
+  }
   return setup;
 }
 

@@ -13,7 +13,7 @@ enum class Kinematics : std::uint8_t { none, maybe, always };
 spec::Setup random_setup(Choices& choose, Kinematics wanted);
 
 // For cutter compensation of one type: no rotary tool, XYZ among the axes, offsets that fit contours of some ten units,
-// parameters 5001, 5003, 5008, 5010.
+// parameters 5001, 5003, 5008, 5010, in type C the series.
 spec::Setup random_cutter_setup(Choices& choose, spec::CutterCompensationType type);
 
 // For tool side compensation: a tool that turns on most machines, the same offsets, parameters 5003, 5008, 5010, 6261,

@@ -2,6 +2,7 @@
 #include "fuzz/laws/fanuc/beside_the_path.h"
 
 #include <algorithm>
+#include <array>
 
 #include "fuzz/laws/numbers.h"
 
@@ -306,6 +307,25 @@ void on_the_path_without_a_mode(const FanucScene& s, Holding& holding) {
       if ((off && on_path) || cancels) holding.zero(head.vector, head.event, "vector without a mode");
       on_path = off && (on_path || cancels);
     }
+  }
+}
+
+void where_the_tool_is_said_to_be(const FanucScene& s, Holding& holding) {
+  if (s.c.setup.cutter_compensation != spec::CutterCompensationType::c || s.program.calls() || shifts_the_point(s) ||
+      s.program.has_code({412, 413, 416, 422, 426, 434, 435}))
+    return;
+  const std::vector<FanucBlock>& blocks = s.program.blocks();
+  // Of two codes that act in their block alone one does not.
+  const auto names_place = [](const FanucBlock& b) {
+    const auto has = [&b](int code) { return b.has_code(code); };
+    return has(920) && std::ranges::none_of(std::array{40, 100, 280, 290, 300, 301, 310, 390, 520, 530}, has);
+  };
+  for (std::size_t i = 1; i < s.stops.size(); ++i) {
+    const Head& head = s.stops[i - 1].heads.back();
+    for (std::size_t k = s.stops[i - 1].block; k < s.stops[i].block; ++k)
+      for (std::size_t axis = 0; names_place(blocks[k]) && axis < head.vector.size(); ++axis)
+        if (blocks[k].has("XYZ"[axis]))
+          holding.zero(head.vector.at(axis), head.event, "vector where G92 says that the tool is");
   }
 }
 

@@ -53,4 +53,9 @@ void normal_of_the_block(const FanucScene& scene, Holding& holding);
 // fanuc.leading-edge.start and -cancel; chapter 14.6.2, 14.6.4.
 void on_the_path_without_a_mode(const FanucScene& scene, Holding& holding);
 
+// G92 names the place where the tool is: in an axis that it names nothing stands between the programmed point before it
+// and the tool, so the last vector before it has no component there. Cutter compensation C; where blocks with movements
+// come after it (what ends the run has none), and no other code of group 00 stands beside it.
+void where_the_tool_is_said_to_be(const FanucScene& scene, Holding& holding);
+
 }  // namespace toolcomp::fuzz::laws

@@ -55,12 +55,12 @@ bool line_interferes(Recorder& recorder, const OffsetPath& path, const PlanePoin
 }
 
 // The pairs from the inside outwards until one does not interfere.
-Passage remove_interference(Recorder& recorder, SpaceGroup& at_start, SpaceGroup& at_end,
-                            const Interferes& interferes) {
+Passage remove_interference(Recorder& recorder, SpaceGroup& at_start, SpaceGroup& at_end, const Interferes& interferes,
+                            bool drops) {
   Passage passage = Passage::free;
   std::size_t from = at_start.size() - 1;
   std::size_t to = 0;
-  for (std::size_t pairs = std::max(at_start.size(), at_end.size()); pairs > 0; --pairs) {
+  for (std::size_t pairs = drops ? std::max(at_start.size(), at_end.size()) : 1; pairs > 0; --pairs) {
     const bool first = passage == Passage::free;
     // fanuc.cutter-c.interference-pairs: Pairs are tested from the corner moves inward to outward, q = 0, 1, …, max(m,
     // n) - 1: the vectors number max(m - q, 1) of V and min(1 + q, n) of W, m and n as at the beginning. The first pair
@@ -75,6 +75,13 @@ Passage remove_interference(Recorder& recorder, SpaceGroup& at_start, SpaceGroup
     if (to + 1 < at_end.size()) ++to;
   }
   return Passage::blocked;
+}
+
+Passage leave_outer_vectors(SpaceGroup& at_start, SpaceGroup& at_end) {
+  if (at_start.size() == 1 && at_end.size() == 1) return Passage::free;
+  at_start.resize(1);
+  at_end.erase(at_end.begin(), at_end.end() - 1);
+  return Passage::shortened;
 }
 
 }  // namespace toolcomp::model

@@ -19,8 +19,12 @@ enum class Passage : std::uint8_t {
 // Whether a block interferes between two vectors; the first time they are the inner ones.
 using Interferes = std::function<bool(bool first, const SpaceVector& from, const SpaceVector& to)>;
 // Drops vectors, the last ones at the start and the first ones at the end of a block, until it does not interfere; at
-// each end one vector stays. Nothing is dropped where the block is blocked. Clause: fanuc.cutter-c.interference-pairs.
-Passage remove_interference(Recorder& recorder, SpaceGroup& at_start, SpaceGroup& at_end, const Interferes& interferes);
+// each end one vector stays. Nothing is dropped where the block is blocked; without `drops` it is by its first pair.
+// Clause: fanuc.cutter-c.interference-pairs.
+Passage remove_interference(Recorder& recorder, SpaceGroup& at_start, SpaceGroup& at_end, const Interferes& interferes,
+                            bool drops = true);
+// Of a blocked block that runs all the same: between the outermost vectors.
+Passage leave_outer_vectors(SpaceGroup& at_start, SpaceGroup& at_end);
 
 // Whether an arc interferes, of which the radii are taken at its ends and the sweeps of `run`. Clauses:
 // fanuc.cutter-c.interference-radius, interference-sweep.

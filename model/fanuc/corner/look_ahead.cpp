@@ -113,6 +113,14 @@ void LookAhead::end_before(Step& now, Clause why) {
   recorder_.at(now.line);
 }
 
+void LookAhead::end_without_vector(Step& now, Clause why) {
+  decide_held(now);
+  recorder_.decide(why, true);
+  held_.front().checked = false;
+  release({SpaceVector{}});
+  recorder_.at(now.line);
+}
+
 void LookAhead::release(SpaceGroup at_end) {
   Held& held = held_.front();
   std::optional<ToolArcRun> run = held.path->arc_run(recorder_, here_.back(), at_end.front());
@@ -143,18 +151,34 @@ void LookAhead::release(SpaceGroup at_end) {
 }
 
 Passage LookAhead::check(const Held& held, SpaceGroup& at_end, ToolArcRun* run) {
-  // fanuc.cutter-c.interference-check: No. 5008 bit 0, CNI: 0 checks for interference, 1 does not. 5008 bit 1 is not
-  // read.
+  // fanuc.cutter-c.interference-check: No. 5008 bit 0, CNI: 0 checks for interference, 1 does not.
   if (held.kind != Held::Kind::moving || !held.checked ||
       !recorder_.decide(Clause::fanuc_cutter_c_interference_check, checks_))
     return Passage::free;
+  // fanuc.cutter-c.interference-at-once: No. 5008 bit 3, CNV, of cutter compensation C on series 30i: with 1 no vector
+  // is dropped, and the first pair with interference is the last one: PS0041 comes at once. On series 16i the bit means
+  // nothing.
+  const auto& parameters = rules_.interference;
+  bool by_direction = false;
   const auto interferes = [&](bool first, const SpaceVector& from, const SpaceVector& to) {
-    return first && run != nullptr ? held.path->arc_interferes(recorder_, *run)
-                                   : held.path->line_interferes(recorder_, from.vector, to.vector);
+    by_direction = !first || run == nullptr;
+    const bool result = by_direction ? held.path->line_interferes(recorder_, from.vector, to.vector)
+                                     : held.path->arc_interferes(recorder_, *run);
+    if (first && result && parameters)
+      recorder_.decide(Clause::fanuc_cutter_c_interference_at_once, parameters->keeps_vectors);
+    return result;
   };
-  const Passage passage = remove_interference(recorder_, here_, at_end, interferes);
-  // fanuc.cutter-c.interference-alarm: Interference of the last pair, or of the only one, raises PS0041. It names the
-  // block: neither it nor its corner moves are given; the block before runs to its first head.
+  const bool drops = !(parameters && parameters->keeps_vectors);
+  Passage passage = remove_interference(recorder_, here_, at_end, interferes, drops);
+  // fanuc.cutter-c.interference-without-alarm: No. 5008 bit 1, CNC, of cutter compensation C: with 1 no alarm is raised
+  // where the last pair interferes because the directions differ by 90 to 270 degrees
+  // (fanuc.cutter-c.interference-direction): the block runs between the vectors that are left.
+  if (passage == Passage::blocked && by_direction && parameters &&
+      recorder_.decide(Clause::fanuc_cutter_c_interference_without_alarm, parameters->no_alarm))
+    passage = drops ? leave_outer_vectors(here_, at_end) : Passage::free;
+  // fanuc.cutter-c.interference-alarm: Interference of the last pair, or of the only one, raises PS0041 (but
+  // fanuc.cutter-c.interference-without-alarm). It names the block: neither it nor its corner moves are given; the
+  // block before runs to its first head.
   if (passage == Passage::blocked) raise_held(Clause::fanuc_cutter_c_interference_alarm, AlarmCause::interference);
   // fanuc.cutter-c.interference-straightened: An arc block that has interfered in its first pair is a straight block
   // from then on: the next pairs are tested as of a line from P to Q, and its own move is linear from the last vector

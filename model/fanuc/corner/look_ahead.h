@@ -76,6 +76,12 @@ class LookAhead {
     Between between{};
     Clause one_between{};
     Clause no_next_block{};
+    // What parameters change of the interference check; none: they do not concern the section.
+    struct Interference {
+      bool keeps_vectors = false;  // the first pair that interferes is the last one
+      bool no_alarm = false;       // where the tool goes against the programmed direction
+    };
+    std::optional<Interference> interference{};
   };
 
   LookAhead(const Stage::Place& place, CornerSection& section, const Rules& rules);
@@ -106,6 +112,9 @@ class LookAhead {
   void end() { end(rules_.no_next_block); }
   void end_before(Step& now) { end_before(now, rules_.no_next_block); }
   void end_before(Step& now, Clause why);
+  // What is held is a block that moves. It ends where it is programmed to, unchecked for interference, because of `now`
+  // (clause `why`).
+  void end_without_vector(Step& now, Clause why);
 
   // Makes no vector: runs with the last one, behind what is held.
   void keep(Step& now);

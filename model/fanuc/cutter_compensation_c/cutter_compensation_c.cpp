@@ -15,6 +15,9 @@ bool is_machine_move(PlaneMotion motion) {
          motion == PlaneMotion::from_reference;
 }
 
+// G52 or G92 of the plane.
+bool shifts_plane(const CutterBlock& block) { return is_shift(block.one_shot) && block.has_plane_word(); }
+
 // A word G41 or G42.
 bool has_side_word(const CutterBlock& block) { return block.code && *block.code != CutterSide::none; }
 
@@ -34,7 +37,10 @@ CutterCompensationC::CutterCompensationC(const Place& place)
       keeps_the_mode_(place.setup.bit(5003, 2)),
       ahead_(place, *this,
              {LookAhead::Between::at_first_head, Clause::fanuc_cutter_c_one_non_motion_block,
-              Clause::fanuc_cutter_c_no_next_block}) {}
+              Clause::fanuc_cutter_c_no_next_block,
+              LookAhead::Rules::Interference{
+                  .keeps_vectors = place.setup.series == spec::Series::series_30i && place.setup.bit(5008, 3),
+                  .no_alarm = place.setup.bit(5008, 1)}}) {}
 
 bool CutterCompensationC::wanted(CutterSide side, std::uint32_t number) const {
   return side != CutterSide::none && number != 0;
@@ -59,8 +65,8 @@ void CutterCompensationC::check_corner_arc(const CutterBlock& words) const {
   const bool no_direction = words.direction && is_zero(*words.direction);
   // fanuc.cutter-c.corner-arc-alarm: PS0035: G39 with G40 or number 0 in force, or after them while a vector waits for
   // its removal; G39 before a moving block has made a vector (before the start-up block, after a G41 or G42 of SUV = 1,
-  // after G53, G28, G30 or G29 of the plane); G39 with G41, G42, an axis word, or a word that gives the cutter another
-  // number; G39 with letters of the plane that are all 0.
+  // after G53, G28, G30, G29, G52 or G92 of the plane); G39 with G41, G42, an axis word, or a word that gives the
+  // cutter another number; G39 with letters of the plane that are all 0.
   if (!wanted(words) || !has_vector || has_side_word(words) || words.axis_word || other_number || no_direction)
     raise(recorder(), Clause::fanuc_cutter_c_corner_arc_alarm, AlarmCause::corner_arc);
 }
@@ -81,7 +87,7 @@ void CutterCompensationC::take(const Step& step) {
   // plane, or where it is a full circle; its path is that of G00, G01, G02 or G03 seen in the plane.
   const bool moves = recorder().decide(Clause::fanuc_cutter_c_moving_block,
                                        block.motion == PlaneMotion::line || block.motion == PlaneMotion::arc);
-  if (ahead_.holds(Held::Kind::lone_start) && (!wanted || is_machine_move(block.motion))) {
+  if (ahead_.holds(Held::Kind::lone_start) && (!wanted || is_machine_move(block.motion) || shifts_plane(block))) {
     now.clauses.add(recorder().take_clauses());
     drop_lone_start();
   }
@@ -121,9 +127,9 @@ void CutterCompensationC::drop_lone_start() {
   const std::uint64_t line = recorder().line();
   recorder().at(ahead_.held().front().step.line);
   // fanuc.cutter-c.start-without-next-block: Where no B follows the G41 or G42 of SUV = 1 (a count of two, one of the
-  // cases of fanuc.cutter-c.no-next-block, G28 included, or a block in which the mode is not asked for any more, the
-  // cancel block too) no vector is made: the mode is off, and the next moving block, if G41 or G42 is still in force,
-  // is a start-up block.
+  // cases of fanuc.cutter-c.no-next-block, G28 included, G52 or G92 of the plane, or a block in which the mode is not
+  // asked for any more, the cancel block too) no vector is made: the mode is off, and the next moving block, if G41 or
+  // G42 is still in force, is a start-up block.
   recorder().reach(Clause::fanuc_cutter_c_start_without_next_block);
   ahead_.pass();
   recorder().at(line);
@@ -137,11 +143,7 @@ void CutterCompensationC::take_while_on(Step& now, bool wanted, bool moves) {
   if (wanted && ahead_.mode == CornerMode::leaving)
     ahead_.leave_open_at(now, Clause::fanuc_cutter_c_restart_before_removal,
                          "G41 or G42 again before the vector of the cancelled mode is removed");
-  // fanuc.cutter-c.coordinate-shift: G52 or G92 with an axis word of the plane while the mode is on leaves the run
-  // undecided at that block; the blocks before it are given as if it were absent.
-  if (is_shift(block.one_shot) && block.has_plane_word())
-    ahead_.leave_open_at(now, Clause::fanuc_cutter_c_coordinate_shift,
-                         "G52 or G92 in the plane of cutter compensation C");
+  if (shifts_plane(block)) take_vector_for_a_time(now);
   if (is_machine_move(block.motion)) {
     take_machine_move(now, wanted);
   } else if (!wanted) {
@@ -210,6 +212,26 @@ void CutterCompensationC::take_without_motion(Step& now) {
   ahead_.meet(now,
               {std::vector(ahead_.held().size(), false), counts, Clause::fanuc_cutter_c_two_non_motion_blocks, {}});
   ahead_.keep(now);
+}
+
+void CutterCompensationC::take_vector_for_a_time(Step& now) {
+  // fanuc.cutter-c.coordinate-shift: G52 or G92 with an axis word of the plane while the mode is on takes the vector
+  // away for a time: the block before, A, ends at its programmed point (a start-up block too, a block without motion
+  // between or not), without a move of its own for that; the mode stays on whatever CCN, and the next moving block runs
+  // from there to its ordinary group, an arc too; there is no corner and no change of direction before it.
+  if (!ahead_.held().empty() && !ahead_.held().front().stands()) {
+    ahead_.end_without_vector(now, Clause::fanuc_cutter_c_coordinate_shift);
+  } else {
+    ahead_.end_before(now);
+    // fanuc.cutter-c.coordinate-shift-with-vector: G52 or G92 with an axis word of the plane where the tool stands at a
+    // vector already (behind G39, a count of two, or a lone G40 or number 0 whose vector waits) leaves the run
+    // undecided at that block; the blocks before it are given as if it were absent. A vector of length 0 is none.
+    if (!is_zero(in_plane_of(said(now).plane, ahead_.here().front().vector)))
+      ahead_.leave_open_at(now, Clause::fanuc_cutter_c_coordinate_shift_with_vector,
+                           "G52 or G92 where the tool stands at a vector of cutter compensation C");
+    recorder().decide(Clause::fanuc_cutter_c_coordinate_shift, false);
+  }
+  go_on_without_vector();
 }
 
 void CutterCompensationC::take_cancel(Step& now) {

@@ -39,6 +39,8 @@ class CutterCompensationC final : public CutterCompensation, private CornerSecti
   void hold_moving(Step& now, Held::Kind kind, const OffsetPath& path, const CutterOffset& offset);
   void take_without_motion(Step& now);
   void take_cancel(Step& now);
+  // G52 or G92 of the plane, before what else the block does.
+  void take_vector_for_a_time(Step& now);
   void cancel_alone(Step& now);
   void drop_lone_start();
   // A block of the mode or a cancel block moves at the corner before it; `path`, with its offset.
@@ -51,7 +53,9 @@ class CutterCompensationC final : public CutterCompensation, private CornerSecti
   // machine_moves.cpp: G53, G28, G30, G29.
   void take_machine_move(Step& now, bool wanted);
   void take_reference_with_intersection(Step& now);
-  void leave_vector(const CutterBlock& block);
+  void decide_axes(const CutterBlock& block) const;
+  // There is no vector from here on, and the mode stays on.
+  void go_on_without_vector();
 
   // corner_arc.cpp: G39.
   void take_corner_arc(Step& now);

@@ -32,8 +32,9 @@ void CutterCompensationC::take_machine_move(Step& now, bool wanted) {
   // fanuc.cutter-c.machine-position: G53 with an axis word of the plane under G90 while the mode is on: the vector
   // vanishes in the G53 move (cause programmed). G29 likewise: at its intermediate point.
   recorder().reach(reference ? Clause::fanuc_cutter_c_reference_return : Clause::fanuc_cutter_c_machine_position);
+  decide_axes(block);
   if (goes_on) {
-    leave_vector(block);
+    go_on_without_vector();
   } else {
     ahead_.set_vector({});
     ahead_.mode = wanted ? CornerMode::waiting : CornerMode::off;
@@ -61,21 +62,20 @@ void CutterCompensationC::take_reference_with_intersection(Step& now) {
     ahead_.insert_corner_moves(now);
     ahead_.set_vector({vector, Seat::square, Seat::off});
   }
-  leave_vector(block);
-  now.moves.back().offset = ahead_.here().front().vector;
+  decide_axes(block);
+  go_on_without_vector();
+  now.moves.back().offset = {};
   ahead_.emit(now);
 }
 
-// With CCN = 1: what is left of the vector behind a block that names axes of the plane; the mode goes on.
-void CutterCompensationC::leave_vector(const CutterBlock& block) {
-  // fanuc.cutter-c.one-plane-axis: Where such a block names one axis of the plane, CCN = 0 clears both components of
-  // the vector, CCN = 1 that of the named axis only. With CCN = 1 and the mode ended by the block or before it, both.
-  const bool one_axis = recorder().decide(Clause::fanuc_cutter_c_one_plane_axis, block.word[0] != block.word[1]);
-  PlanePoint left_over;
-  if (one_axis) left_over = in_plane_of(block.plane, ahead_.here().front().vector);
-  for (std::size_t i = 0; i < 2; ++i)
-    if (block.word.at(i)) left_over.at(i) = 0;
-  ahead_.set_vector({in_space(block.plane, left_over)});
+// fanuc.cutter-c.one-plane-axis: Where such a block names one axis of the plane, both components of the vector are
+// cleared all the same, with CCN = 0 and with CCN = 1.
+void CutterCompensationC::decide_axes(const CutterBlock& block) const {
+  recorder().decide(Clause::fanuc_cutter_c_one_plane_axis, block.word[0] != block.word[1]);
+}
+
+void CutterCompensationC::go_on_without_vector() {
+  ahead_.set_vector({});
   made_by_move_ = false;
   unchecked_ = true;
 }

@@ -18,8 +18,9 @@ Definition moves_of {num} (b : planned num) : list (movement num) :=
 Inductive ahead (num : Type) :=
 | Next (b : planned num) (repeated : bool)
 | NoNext
+| NoVector
 | TooFar.
-Arguments Next {num} b repeated. Arguments NoNext {num}. Arguments TooFar {num}.
+Arguments Next {num} b repeated. Arguments NoNext {num}. Arguments NoVector {num}. Arguments TooFar {num}.
 
 (** fanuc.cutter-c.repeated: a word G41 or G42 equal to the code in force before it. *)
 Definition repeats {num} (b : planned num) : bool :=
@@ -30,7 +31,8 @@ Definition repeats {num} (b : planned num) : bool :=
   end.
 
 (** fanuc.cutter-c.one-non-motion-block, fanuc.cutter-c.two-non-motion-blocks: past a count of one, not of two.
-    fanuc.cutter-c.no-next-block: what there is no corner with. *)
+    fanuc.cutter-c.no-next-block: what there is no corner with.
+    fanuc.cutter-c.coordinate-shift: what takes the vector away. *)
 Fixpoint look {num} (count : Z) (repeated : bool) (bs : list (planned num)) : ahead num :=
   match bs with
   | [] => NoNext
@@ -41,8 +43,11 @@ Fixpoint look {num} (count : Z) (repeated : bool) (bs : list (planned num)) : ah
       | LoneStart => TooFar
       | StartUpBlock | ModeBlock | CancelBlock | WayBlock => Next b repeated
       | LoneCancel | MovesFree | CornerBlock | GoesAway => NoNext
+      | ShiftsPlane => NoVector
       end
   end.
+Definition loses_vector {num} (rest : list (planned num)) : bool :=
+  match look 0 false rest with NoVector => true | _ => false end.
 
 (** * Corners *)
 
@@ -115,11 +120,13 @@ Definition corner_group {num} {N : Numbers num} (s : setup num) (a b : planned n
     else if starts then start_up_group (sup s) leg_a leg_b
     else mode_group leg_a leg_b.
 
-(** The vectors at the end of a moving block: those of the corner, or P1. *)
+(** The vectors at the end of a moving block: those of the corner, or P1.
+    fanuc.cutter-c.coordinate-shift: before G52 or G92 of the plane it ends where it is programmed to. *)
 Definition group_at_end {num} {N : Numbers num} (s : setup num) (a : planned num) (rest : list (planned num)) :
     outcome (list (pair num)) :=
   match look 0 false rest with
   | Next b repeated => group <- corner_group s a b repeated ;; thinned s b group
+  | NoVector => Got [zero2]
   | NoNext | TooFar => Got [perpendicular (leg_behind s a)]
   end.
 
@@ -132,7 +139,8 @@ Definition corner_moves {num} {N : Numbers num} (s : setup num) (b : planned num
   let t := match part_of b with WayBlock => Rapid | _ => straight (motion (in_modes (command_of b))) end in
   map (fun v => Go (move_at s t Corner (plane_of b) v None (before b))) (tl vs).
 
-(** fanuc.cutter-c.interference-check: the blocks of the offset mode, but the first after G53 or a reference return.
+(** fanuc.cutter-c.interference-check: the blocks of the offset mode, but the first after G53 or a reference return, and
+    those before and after G52 or G92 of the plane.
     fanuc.cutter-c.interference-straightened: the own move of an arc that has lost a vector is linear. *)
 Definition mode_block {num} {N : Numbers num} (s : setup num) (vs : list (pair num)) (b : planned num)
     (rest : list (planned num)) : outcome (list (item num) * list (pair num)) :=
@@ -142,11 +150,11 @@ Definition mode_block {num} {N : Numbers num} (s : setup num) (vs : list (pair n
   let y := cutter (behind b) in
   let free := match in_phase x with TakenAway => true | _ => false end in
   '(vs, ws, straightened) <-
-    (if cni s || free then Got (vs, ws, false)
+    (if cni s || free || loses_vector rest then Got (vs, ws, false)
      else
        let way := Path (plane_point s p (before b)) (plane_point s p (behind b))
                     (option_map (fun r => (fst r, center (snd r))) (arc_run (moves_of b))) in
-       checked way (offset_of (was_left y) (reach x)) (rho_of y) vs ws) ;;
+       checked (cnv s) (cnc s) way (offset_of (was_left y) (reach x)) (rho_of y) vs ws) ;;
   let lined m := Movement Linear (because m) (ends_at m) (tip m) (head m) (length_vector m) (machine_zero m) None
                    (at_feed m) (along_tool m) in
   let b' := if straightened : bool
@@ -176,7 +184,7 @@ Definition corner_arc_c {num} {N : Numbers num} (s : setup num) (v : pair num) (
   direction <- match plane_letters s (command_of b), look 0 false rest with
                | Some u, _ => Got (Some u)
                | None, Next next _ => Got (Some (way (leg_before s next rho)))
-               | None, NoNext => Got None
+               | None, NoNext | None, NoVector => Got None
                | None, TooFar => Undecided "fanuc.cutter-c.corner-arc-without-next-block"
                end ;;
   nothing <- is_zero "fanuc.cutter-c.corner-arc" rho ;;
@@ -229,6 +237,17 @@ Definition going_away {num} {N : Numbers num} (s : setup num) (v : pair num) (b 
   | none => none
   end.
 
+(** fanuc.cutter-c.coordinate-shift: G52 or G92 of the plane makes no move for the vector; with SUV = 1 it may end the
+    mode (fanuc.cutter-c.start-without-motion-move).
+    fanuc.cutter-c.coordinate-shift-with-vector: where the tool stands at a vector all the same. *)
+Definition shifted {num} {N : Numbers num} (s : setup num) (v : pair num) (b : planned num) :
+    outcome (list (item num) * list (pair num)) :=
+  nothing <- is_zero "fanuc.cutter-c.coordinate-shift-with-vector" (square2 v) ;;
+  if negb nothing then Undecided "fanuc.cutter-c.coordinate-shift-with-vector"
+  else if suv s && negb (mode_is_on (in_phase (cutter (behind b)))) then
+    new <- at_once s b Cancelling zero2 zero2 ;; Got (new, [zero2])
+  else Got (at_head s (plane_of b) zero2 (items b), [zero2]).
+
 (** A block: what it yields where the tool stands at the first of these vectors, and the vectors behind it. *)
 Definition block_c {num} {N : Numbers num} (s : setup num) (vs : list (pair num)) (b : planned num)
     (rest : list (planned num)) : outcome (list (item num) * list (pair num)) :=
@@ -250,6 +269,7 @@ Definition block_c {num} {N : Numbers num} (s : setup num) (vs : list (pair num)
       own <- own_move_between s p b Cancelling (last vs zero2) zero2 ;;
       Got (corner_moves s b vs ++ own, [zero2])
   | CornerBlock => corner_arc_c s v b rest
+  | ShiftsPlane => shifted s v b
   | GoesAway => Got (going_away s v b, [vector_behind (cutter (behind b))])
   | WayBlock =>
       let way := perpendicular (leg_before s b (rho_of (cutter (behind b)))) in

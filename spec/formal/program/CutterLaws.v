@@ -155,7 +155,8 @@ Proof.
   unfold group_at_end; intros Z H.
   assert (P : perpendicular (leg_behind s b) = zero2).
   { apply no_perpendicular. rewrite rho_behind. unfold rho_of. now rewrite Z, no_offset. }
-  destruct (look 0 false rest) as [next repeated| |]; [|now apply same in H as <-; rewrite P..].
+  destruct (look 0 false rest) as [next repeated| | |];
+    [|now apply same in H as <-; rewrite P|now apply same in H as <-|now apply same in H as <-; rewrite P].
   apply bound in H as (group & G & H). unfold corner_group in G. apply bound in G as (nothing & N & G).
   apply zero_sign in N. assert (nothing = true) as -> by now apply N. apply same in G as <-.
   unfold thinned in H. cbn in H. now apply same in H.
@@ -172,8 +173,9 @@ Qed.
 Lemma plus_zero (a : pair R) : add2 a zero2 = a.
 Proof. destruct a as [x y]. unfold add2, zero2; cbn. f_equal; lra. Qed.
 
-Lemma nothing_interferes (p : path R) rho_at_start rho_at_end vs ws line :
-  rho_at_start = 0%R -> rho_at_end = 0%R -> checked p rho_at_start rho_at_end [zero2] [zero2] = Got (vs, ws, line) ->
+Lemma nothing_interferes first_only silent (p : path R) rho_at_start rho_at_end vs ws line :
+  rho_at_start = 0%R -> rho_at_end = 0%R ->
+  checked first_only silent p rho_at_start rho_at_end [zero2] [zero2] = Got (vs, ws, line) ->
   vs = [zero2] /\ ws = [zero2].
 Proof.
   intros -> -> H. unfold checked in H. cbn [rev app hd] in H. apply bound in H as (hit & I & H).
@@ -229,7 +231,7 @@ Proof.
   { apply no_perpendicular. now rewrite rho_before. }
   unfold block_c in H. destruct (part_of b) eqn:P; cbn [hd last] in H.
   - apply same in H. injection H as <- <-. split; [apply head_items_of_zero|reflexivity].
-  - unfold lone_start in H. destruct (look 0 false rest) as [next repeated| |];
+  - unfold lone_start in H. destruct (look 0 false rest) as [next repeated| | |];
       [destruct (part_of next)|..]; try (apply same in H; injection H as <- <-; split;
         [apply head_items_of_zero|reflexivity]).
     rewrite (no_perpendicular (leg_before s next (rho_of (cutter (behind b))))) in H by now rewrite rho_before.
@@ -242,7 +244,7 @@ Proof.
   - unfold mode_block in H. apply bound in H as (group & G & H). apply group_of_zero in G; [|exact R']. subst group.
     apply bound in H as ([[vs' ws'] line] & C & H).
     assert (E : vs' = [zero2] /\ ws' = [zero2]).
-    { destruct (cni s || _); [apply same in C; now injection C as <- <- _|].
+    { destruct (_ || loses_vector rest); [apply same in C; now injection C as <- <- _|].
       apply nothing_interferes in C; [exact C|now rewrite R, no_offset|exact RHO]. }
     destruct E as [-> ->]. apply bound in H as (own & O & H). apply same in H. injection H as <- <-.
     split; [|reflexivity]. cbn [corner_moves tl map app]. now apply own_moves_of_zero in O.
@@ -254,6 +256,10 @@ Proof.
     destruct direction as [u|].
     + apply bound in H as (across & _ & H). apply bound in H as (along & _ & H). cbn [orb] in H. apply same in H.
       injection H as <- <-. split; [apply head_items_of_zero|reflexivity].
+    + apply same in H. injection H as <- <-. split; [apply head_items_of_zero|reflexivity].
+  - unfold shifted in H. apply bound in H as (nothing & _ & H). destruct nothing; cbn [negb] in H; [|discriminate].
+    destruct (suv s && _).
+    + apply bound in H as (made & M & H). apply same in H. injection H as <- <-. now apply at_once_of_zero in M.
     + apply same in H. injection H as <- <-. split; [apply head_items_of_zero|reflexivity].
   - rewrite V in H. apply same in H. assert (N : new = going_away s zero2 b) by congruence.
     assert (W : ws = [zero2]) by congruence. subst new ws. split; [now apply going_away_of_zero|reflexivity].
@@ -281,3 +287,34 @@ Example value_zero_is_programmed_instance :
   Forall (fun b => Forall (bare_item plain_setup) (items b)) (fst (blocks_c plain_setup [zero2] [standing_block;
     standing_block])).
 Proof. apply value_zero_is_programmed. repeat constructor. Qed.
+
+(** * G52 and G92 *)
+
+(** fanuc.cutter-c.coordinate-shift: before G52 or G92 of the plane a block ends where it is programmed to, whatever it
+    is, with or without a block of a count of one between. *)
+Theorem no_vector_before_a_shift (s : setup R) a still b rest :
+  part_of b = ShiftsPlane -> part_of still = Idle 1 ->
+  group_at_end s a (b :: rest) = Got [zero2] /\ group_at_end s a (still :: b :: rest) = Got [zero2].
+Proof. intros B S. unfold group_at_end. cbn [look]. rewrite S, B. now split. Qed.
+
+Example no_vector_before_a_shift_instance a b :
+  part_of b = ShiftsPlane -> group_at_end plain_setup a [b; standing_block] = Got [zero2].
+Proof. intro B. now apply (no_vector_before_a_shift plain_setup a standing_block b [standing_block]). Qed.
+
+(** * Interference *)
+
+(** fanuc.cutter-c.interference-without-alarm: with CNC = 1 a line between two vectors runs, whatever they are. *)
+Theorem lone_pair_runs first_only (p : path R) rho_at_start rho_at_end v w :
+  about p = None -> checked first_only true p rho_at_start rho_at_end [v] [w] = Got ([v], [w], false).
+Proof.
+  intro A. unfold checked. rewrite A. cbn [rev app hd single andb negb given]. unfold line_interferes, is_negative.
+  destruct (decides "fanuc.cutter-c.interference-direction" (dot2 (sub2 (finishes p) (starts p))
+    (add2 (sub2 (finishes p) (starts p)) (sub2 w v)))) as [c ->].
+  rewrite orb_true_r. now destruct c.
+Qed.
+
+(** A line of 5 to the right whose vectors lead the tool 15 back. *)
+Example lone_pair_runs_instance :
+  checked false true (Path (0%R, 0%R) (5%R, 0%R) None) 10%R 10%R [(10%R, 10%R)] [((-10)%R, 10%R)] =
+  Got ([(10%R, 10%R)], [((-10)%R, 10%R)], false).
+Proof. now apply lone_pair_runs. Qed.

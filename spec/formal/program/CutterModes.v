@@ -8,11 +8,14 @@ Open Scope string_scope.
 Open Scope Z_scope.
 Open Scope list_scope.
 
-(** fanuc.cutter-c.start-up-type, fanuc.cutter-c.suv, fanuc.cutter-c.ccn, fanuc.cutter-c.interference-check. *)
+(** fanuc.cutter-c.start-up-type, fanuc.cutter-c.suv, fanuc.cutter-c.ccn, fanuc.cutter-c.interference-check,
+    fanuc.cutter-c.interference-without-alarm, fanuc.cutter-c.interference-at-once. *)
 Definition sup {num} (s : setup num) : bool := bit s "5003#0".
 Definition suv {num} (s : setup num) : bool := bit s "5003#1".
 Definition ccn {num} (s : setup num) : bool := bit s "5003#2".
 Definition cni {num} (s : setup num) : bool := bit s "5008#0".
+Definition cnc {num} (s : setup num) : bool := bit s "5008#1".
+Definition cnv {num} (s : setup num) : bool := series_30i s && bit s "5008#3".
 
 (** fanuc.cutter-c.three-dimensional: G41 or G42 with all of I, J and K. *)
 Definition three_dimensional {num} (s : setup num) (codes : list Z) (b : block num) : bool :=
@@ -106,12 +109,6 @@ Definition way_to_intermediate {num} {N : Numbers num} (s : setup num) (c : comm
   | _, _ => None
   end.
 
-(** fanuc.cutter-c.one-plane-axis: with CCN = 1 the component of the named axis is cleared. *)
-Definition without_named {num} {N : Numbers num} (s : setup num) (c : command num) (v : pair num) : pair num :=
-  let '(first, second) := plane_axes (in_plane (in_modes c)) in
-  let named letter := meets (which (position_words c)) (the_axis s letter) in
-  (if named first then 0%num else fst v, if named second then 0%num else snd v).
-
 (** What a block makes of the mode: part, phase, vector without a corner, offset and side of the last moving block. *)
 Definition result (num : Type) := (part * phase * pair num * num * bool)%type.
 
@@ -128,6 +125,7 @@ Definition ends_alone {num} {N : Numbers num} (s : setup num) (what : part) (x :
     fanuc.cutter-c.machine-position: with G40 or number 0, or after them, the vector vanishes and the mode is off.
     fanuc.cutter-c.outside-axes-only: other axes only keep the vector.
     fanuc.cutter-c.ccn: CCN = 0 turns the mode off, CCN = 1 leaves it on.
+    fanuc.cutter-c.one-plane-axis: with CCN = 1, too, one axis named takes the whole vector away.
     fanuc.cutter-c.reference-intersection: the way to the intermediate point is a block of the mode then. *)
 Definition goes_away_step {num} {N : Numbers num} (s : setup num) (c : command num) (asked : option hand) (value : num)
     (before : state num) (moves : list (movement num)) : outcome (result num) :=
@@ -143,7 +141,7 @@ Definition goes_away_step {num} {N : Numbers num} (s : setup num) (c : command n
       if negb plane_named then Got (GoesAway, in_phase x, vector_behind x, reach x, was_left x)
       else if negb (ccn s) then Got off
       else
-        let taken := (GoesAway, TakenAway, without_named s c (vector_behind x), reach x, was_left x) in
+        let taken := (GoesAway, TakenAway, zero2, reach x, was_left x) in
         match way_to_intermediate s c before moves with
         | None => Got taken
         | Some d =>
@@ -154,8 +152,7 @@ Definition goes_away_step {num} {N : Numbers num} (s : setup num) (c : command n
               r <- magnitude value ;;
               _ <- alarm_if (match in_phase x with Started => negb (Bool.eqb left (was_left x)) | _ => false end)
                      "side-change-at-start" ;;
-              let v := perpendicular (line_leg d (offset_of left r)) in
-              Got (WayBlock, TakenAway, without_named s c v, r, left)
+              Got (WayBlock, TakenAway, zero2, r, left)
         end
   end.
 
@@ -184,9 +181,9 @@ Definition moving_step {num} {N : Numbers num} (s : setup num) (c : command num)
 (** A block that does not move in the plane.
     fanuc.cutter-c.start-without-motion: SUV = 1 and the word G41 or G42.
     fanuc.cutter-c.start-without-next-block: a count of two, or the mode not asked for any more, and nothing starts; the
-    word in the block that brings the count to two starts anew.
+    word in the block that brings the count to two, or in G52 or G92 of the plane, starts anew.
     fanuc.cutter-c.restart-before-removal, before
-    fanuc.cutter-c.coordinate-shift: G52 or G92 of the plane is undecided in the mode, and while the start waits. *)
+    fanuc.cutter-c.coordinate-shift: G52 or G92 of the plane takes the vector away, and the mode goes on. *)
 Definition idle_step {num} {N : Numbers num} (s : setup num) (c : command num) (asked : option hand) (value : num)
     (before : state num) : outcome (result num) :=
   let x := cutter before in
@@ -196,10 +193,11 @@ Definition idle_step {num} {N : Numbers num} (s : setup num) (c : command num) (
     | Some LocalSystem | Some SetPosition =>
         meets (which (naming_words c)) (plane_axis_set s (in_plane (in_modes c)))
     | _ => false end in
-  let waits := match in_phase x, asked with Pending _, Some _ => true | _, _ => false end in
   let restarts := match in_phase x, asked with Ending, Some _ => true | _, _ => false end in
   if restarts then Undecided "fanuc.cutter-c.restart-before-removal"
-  else if (mode_is_on (in_phase x) || waits) && renames_plane then Undecided "fanuc.cutter-c.coordinate-shift"
+  else if mode_is_on (in_phase x) && renames_plane then
+    Got (if given asked then (ShiftsPlane, TakenAway, zero2, reach x, was_left x)
+         else (ShiftsPlane, Off, zero2, 0%num, true))
   else
     let starts hand :=
       left <- on_left hand value ;; r <- magnitude value ;; Got (LoneStart, Pending 0, zero2, r, left) in
@@ -208,7 +206,7 @@ Definition idle_step {num} {N : Numbers num} (s : setup num) (c : command num) (
     | Off, None => Got as_before
     | Pending _, None => Got (Idle n, Off, zero2, 0%num, true)
     | Pending k, Some hand =>
-        if k + n <? 2 then Got (Idle n, Pending (k + n), zero2, reach x, was_left x)
+        if (k + n <? 2) && negb renames_plane then Got (Idle n, Pending (k + n), zero2, reach x, was_left x)
         else if says_hand c then starts hand
         else Got (Idle n, Off, zero2, 0%num, true)
     | Ending, _ => Got as_before

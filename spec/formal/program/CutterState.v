@@ -16,7 +16,7 @@ Inductive phase :=
 | Running
 | Pending (count : Z)    (* G41 or G42 of type C waits for the next moving block, with so many blocks between *)
 | Started                (* no block has moved since the start-up *)
-| TakenAway              (* the mode goes on, G53 or a reference return has taken the vector away *)
+| TakenAway              (* the mode goes on, G52, G92, G53 or a reference return has taken the vector away *)
 | Ending.                (* a lone G40 or number 0: the vector waits for its removal *)
 
 (** What a block is to cutter compensation C. *)
@@ -29,6 +29,7 @@ Inductive part :=
 | CancelBlock
 | MovesFree              (* a moving block without compensation *)
 | CornerBlock            (* G39 *)
+| ShiftsPlane            (* G52 or G92 of the plane, before which the vector is taken away *)
 | GoesAway               (* G53, a reference return or G29 that goes somewhere *)
 | WayBlock.              (* a reference return whose way to the intermediate point is a block of the mode *)
 

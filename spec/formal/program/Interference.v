@@ -85,22 +85,25 @@ Definition single {A} (l : list A) : bool := match l with [_] => true | _ => fal
 (** fanuc.cutter-c.interference-pairs: from the corner moves inward to outward; a pair with interference is dropped, but
     never the first vector at the start and the last at the end. The vectors at the start stand in reverse.
     fanuc.cutter-c.interference-alarm: interference of the last pair raises PS0041.
+    fanuc.cutter-c.interference-without-alarm: but not with CNC = 1 ([silent]), for it is one of direction.
     fanuc.cutter-c.interference-straightened: these pairs are tested as of a line. *)
-Fixpoint next_pairs {num} {N : Numbers num} (tries : list (pair num)) (p : path num) (vs ws : list (pair num)) :
-    outcome (list (pair num) * list (pair num)) :=
+Fixpoint next_pairs {num} {N : Numbers num} (tries : list (pair num)) (silent : bool) (p : path num)
+    (vs ws : list (pair num)) : outcome (list (pair num) * list (pair num)) :=
   match tries with
   | [] => Alarm "interference"
   | _ :: fewer =>
-      if single vs && single ws then Alarm "interference"
+      if single vs && single ws then (if silent then Got (vs, ws) else Alarm "interference")
       else
         let vs := if single vs then vs else tl vs in
         let ws := if single ws then ws else tl ws in
         interferes <- line_interferes p (hd zero2 vs) (hd zero2 ws) ;;
-        if interferes : bool then next_pairs fewer p vs ws else Got (vs, ws)
+        if interferes : bool then next_pairs fewer silent p vs ws else Got (vs, ws)
   end.
 
-(** The vectors that are left at the start and at the end, and whether the block was an arc that is a line now. *)
-Definition checked {num} {N : Numbers num} (p : path num) (rho_at_start rho_at_end : num) (vs ws : list (pair num)) :
+(** The vectors that are left at the start and at the end, and whether the block was an arc that is a line now.
+    fanuc.cutter-c.interference-at-once: with CNV = 1 ([first_only]) none is dropped.
+    fanuc.cutter-c.interference-without-alarm: [silent]; an arc whose only pair interferes raises the alarm. *)
+Definition checked {num} {N : Numbers num} (first_only silent : bool) (p : path num) (rho_at_start rho_at_end : num) (vs ws : list (pair num)) :
     outcome (list (pair num) * list (pair num) * bool) :=
   let backward := rev vs in
   let v := hd zero2 backward in
@@ -110,6 +113,9 @@ Definition checked {num} {N : Numbers num} (p : path num) (rho_at_start rho_at_e
                 | Some (clockwise, center) => arc_interferes p clockwise center rho_at_start rho_at_end v w
                 end ;;
   if interferes : bool then
-    '(vs, ws) <- next_pairs (vs ++ ws) p backward ws ;;
-    Got (rev vs, ws, given (about p))
+    if first_only || (single vs && single ws) then
+      if silent && negb (given (about p)) then Got (vs, ws, false) else Alarm "interference"
+    else
+      '(vs, ws) <- next_pairs (vs ++ ws) silent p backward ws ;;
+      Got (rev vs, ws, given (about p))
   else Got (vs, ws, false).

@@ -95,7 +95,7 @@ Theorem cutter_c_looks_two_blocks_ahead {num} {N : Numbers num} (s : setup num) 
 Proof.
   intros C C'. assert (E : look 0 false (next :: after_next :: more) = look 0 false [next; after_next]).
   { apply (look_two [next; after_next] more); [now repeat constructor|lia|cbn; lia]. }
-  unfold block_c, mode_block, group_at_end, corner_arc_c, lone_start. now rewrite E.
+  unfold block_c, mode_block, loses_vector, group_at_end, corner_arc_c, lone_start. now rewrite E.
 Qed.
 
 Example cutter_c_looks_two_blocks_ahead_instance b more :

@@ -159,15 +159,17 @@ TEST(FastCutterCompensationCTies, PlanesAndOtherAxes) {
   EXPECT_EQ(acute.point(3, 'Z'), 2);
 }
 
-// Found by fuzzing: where the mode ends in the block with G92, a lone G42 of SUV = 1 makes no vector and nothing is
-// open (fanuc.cutter-c.start-without-next-block); where it goes on, the run is undecided (coordinate-shift).
+// Found by fuzzing: before G92 a lone G42 of SUV = 1 makes no vector, whether the mode ends in that block or goes on
+// (fanuc.cutter-c.start-without-next-block).
 TEST(FastCutterCompensationCTies, CoordinateShiftBehindALoneCode) {
   const std::string suv = "\"5003#1\"=1\n";
   const ProgramRun ends(setup(0, 0, suv), "G42 D1\nG40 Y0 G92\nX5\n");
   ASSERT_EQ(ends.events.size(), 1U);
   EXPECT_EQ(ends.point(0, 'X'), 5);
   const ProgramRun goes_on(setup(0, 0, suv), "G42 D1\nG92 Y0\nX5\n");
-  EXPECT_EQ(goes_on.events.back().kind, spec::EventKind::undecided);
+  ASSERT_EQ(goes_on.events.size(), 1U);
+  EXPECT_EQ(goes_on.events[0].cause, spec::Cause::start_up);
+  EXPECT_EQ(goes_on.point(0, 'X'), 5);
 }
 
 }  // namespace

@@ -161,7 +161,6 @@ TEST(ModelCutterCRules, AlarmsBeforeAMove) {
   EXPECT_EQ(alarm(run(cutter_setup(), "G41 D1\nG18 X50\n")), "2 PS0037");
   EXPECT_EQ(points(started("G02 X45 Y5 I5 J5\n")),
             (Lines{"1 linear X20 Y10 Z0 (start-up)", "2 linear X40 Y10 Z0", "3 PS0038"}));
-  EXPECT_EQ(alarm(run(cutter_setup(), started("G92 X0\n"))), "3 fanuc.cutter-c.coordinate-shift");
   EXPECT_EQ(alarm(run(cutter_setup(), started("G92 Z0\nX50\n"))), "");
 }
 
@@ -218,11 +217,35 @@ TEST(ModelCutterCRules, CornerArcWithoutNextBlock) {
                                                        "3 arc X50 Y0 Z0 (corner)", "4 linear X40 Y-30 Z0 (cancel)"}));
 }
 
+TEST(ModelCutterCRules, CoordinateShift) {
+  // The end of the program behind it.
+  EXPECT_EQ(points(started("G92 X0\n")), (Lines{"1 linear X20 Y10 Z0 (start-up)", "2 linear X40 Y0 Z0"}));
+  // Behind another one, or G53 with CCN = 1, there is no vector to take away.
+  EXPECT_EQ(points(started("G92 X0\nG92 Y0\nX50\n")).back(), "5 linear X50 Y10 Z0");
+  EXPECT_EQ(points(started("G53 X90\nG92 Y0\nX100\n"), "\"5003#2\" = 1").back(), "5 linear X100 Y10 Z0");
+  // The side may change behind it, also in its block; a start-up before it does not forbid that.
+  EXPECT_EQ(points(started("G42 G92 X0\nX50\n")).back(), "4 linear X50 Y-10 Z0");
+  EXPECT_EQ(points("G01 G41 D1 X20 F100\nG92 X0\nG42 X50\n"),
+            (Lines{"1 linear X20 Y0 Z0 (start-up)", "3 linear X50 Y-10 Z0"}));
+  // G39 has no vector behind it; before it, it keeps the one it has.
+  EXPECT_EQ(points(started("G92 X0\nG39\nY30\n")).back(), "4 PS0035");
+  EXPECT_EQ(points(started("G39\nG92 X0\nX50\n")).back(), "4 fanuc.cutter-c.coordinate-shift-with-vector");
+  // From (30,10) to (40,5), against a way of 5 along Y: it is not checked.
+  EXPECT_EQ(points(started("Y5\nG92 X0\nX50\n")), (Lines{"1 linear X20 Y10 Z0 (start-up)", "2 linear X30 Y10 Z0",
+                                                         "3 linear X40 Y5 Z0", "5 linear X50 Y15 Z0"}));
+  // SUV = 1: the code makes no vector, and the next moving block is a start-up block; with the code it waits anew.
+  constexpr const char* kAtOnce = "\"5003#1\" = 1";
+  EXPECT_EQ(points("G01 G41 D1 F100\nG92 X5\nX40\n", kAtOnce), (Lines{"3 linear X40 Y10 Z0 (start-up)"}));
+  EXPECT_EQ(points("G01 G41 D1 F100\nG41 G92 X5\nX40\n", kAtOnce),
+            (Lines{"2 linear X5 Y10 Z0 (start-up)", "3 linear X40 Y10 Z0"}));
+  EXPECT_EQ(points("G01 G41 D1 F100\nG92 X5\nG02 X10 I5\n", kAtOnce), (Lines{"3 PS0034"}));
+}
+
 TEST(ModelCutterCRules, MovesOfTheMachine) {
   constexpr const char* kGoesOn = "\"5003#2\" = 1";
   // One axis of the plane.
   EXPECT_EQ(points(started("G53 X90\nY40\n"))[2], "3 rapid X90 Y0 Z0");
-  EXPECT_EQ(points(started("G53 X90\nX100\n"), kGoesOn)[2], "3 rapid X90 Y10 Z0");
+  EXPECT_EQ(points(started("G53 X90\nX100\n"), kGoesOn)[2], "3 rapid X90 Y0 Z0");
   // Axes outside the plane keep the vector, and there is no corner behind them.
   EXPECT_EQ(points(started("G53 Z7\nY-30\n")), (Lines{"1 linear X20 Y10 Z0 (start-up)", "2 linear X40 Y10 Z0",
                                                       "3 rapid X40 Y10 Z7", "4 linear X50 Y-30 Z7"}));
