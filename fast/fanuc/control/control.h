@@ -59,6 +59,7 @@ struct Control {
 
   Kinematics kinematics;
   const ControlAxes axes;
+  const StopCodes stop_codes;
   WordUnits units;
   ModalState modal;
   AxisPositions positions;

@@ -112,7 +112,7 @@ void Interpreter::block(const spec::Block& block) {
     if (!release_held()) control_.end(block.alarm->number, block.alarm->message);
     return;
   }
-  const Words words(block, control_.axes.letters);
+  const Words words(block, control_.axes.letters, control_.stop_codes);
   if (on_ != nullptr && !on_->on()) [[unlikely]]
     on_ = nullptr;
   // Of an edited value or a length offset taken away: any block with words may bring it.

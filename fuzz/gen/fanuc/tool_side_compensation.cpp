@@ -260,6 +260,8 @@ class ToolSide {
     write_.end_block();
   }
 
+  [[nodiscard]] bool reads_more() const { return case_.setup.series == spec::Series::series_30i; }
+
   void still_words() {
     write_.word(choose_.one_of({"M08", "S1000", "T2", "M05", "F300", "M08", "M00", "M01"})).end_block();
   }
@@ -400,7 +402,7 @@ class ToolSide {
         still_block();
         return movement();
       case 3:
-        for (std::int64_t n = choose_.between(2, 3); n > 0; --n) still_block();
+        for (std::int64_t n = choose_.between(2, reads_more() ? 7 : 3); n > 0; --n) still_block();
         return movement();
       case 4:
         return other_side();
