@@ -101,11 +101,13 @@ constexpr Example kRules[] = {
      "0): "
      "what lies between goes along the tool there. Line 5 ends with (-8, -10, 6), line 6 with (-8, 0, 6).",
      SERIES_30I VECTOR(XYZ, "19625 = 5\n") BEFORE_X, LEFT_VECTOR "X100.\nZ50. I3 J0 K4\nZ80.\nY100.\nG40 Y150.\n",
-     "2 s G1 0 10 0\n3 p G1 90 10 0\n4 p G1 100 -10 50\n5 p G1 92 -10 86\n6 p G1 92 100 86\n7 e G1 100 150 80\n"},
+     "1 p G0 -40 0 0\n2 s G1 0 10 0\n3 p G1 90 10 0\n4 p G1 100 -10 50\n5 p G1 92 -10 86\n6 p G1 92 100 86\n7 e G1 100 "
+     "150 80\n"},
     {"The same where line 5 is along the tool at its own end: it keeps (0, -10, 0), and line 6 starts from it.",
      SERIES_30I VECTOR(XYZ, "19625 = 5\n") BEFORE_X,
      LEFT_VECTOR "X100.\nZ50. I3 J0 K4\nZ80. I0 J0 K1\nY100.\nG40 Y150.\n",
-     "2 s G1 0 10 0\n3 p G1 90 10 0\n4 p G1 100 -10 50\n5 p G1 100 -10 80\n6 p G1 90 100 80\n7 e G1 100 150 80\n"},
+     "1 p G0 -40 0 0\n2 s G1 0 10 0\n3 p G1 90 10 0\n4 p G1 100 -10 50\n5 p G1 100 -10 80\n6 p G1 90 100 80\n7 e G1 "
+     "100 150 80\n"},
     {"Two rotations in a row: line 3 ends with the perpendicular (0, -10, 0), lines 4 and 5 keep it; line 6 ends with "
      "10 (0, -0.8, 0.6), right of X with VT (0, 0.6, 0.8).",
      THERE, "G43.5 H0 I0 J0 K1\nG01 G42.6 D1 X0 F1000\nX100.\nI1 J0 K1\nI0 J3 K4\nX200.\nG40 X250.\n"},

@@ -298,7 +298,7 @@ void stop_codes(Choices& choose, Setup& setup) {
   if (choose.chance(12))
     set(setup, static_cast<std::uint32_t>(3411 + choose.below(10)),
         spec::decimal(choose.one_of<std::int64_t>({8, 8, 5, 0, 30, 98, 99'999'999})));
-  if (!choose.chance(8)) return;
+  if (!choose.chance(20)) return;
   const auto first = static_cast<std::uint32_t>(3421 + 2 * choose.below(6));
   if (choose.chance(90)) set(setup, first, spec::decimal(choose.between(0, 9)));
   if (choose.chance(90)) set(setup, first + 1, spec::decimal(choose.between(4, 12)));

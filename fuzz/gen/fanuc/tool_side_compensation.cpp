@@ -309,6 +309,24 @@ class ToolSide {
     if (choose_.chance(60)) movement();
   }
 
+  // Movements along the tool as it stood, which the corner before them passes over, while it turns and turns back: the
+  // corners between them are known before that one.
+  void along_the_former_tool() {
+    straight();
+    end_of_movement();
+    const ToolAim before = pose_.aim();
+    for (std::int64_t n = choose_.between(2, 6); n > 0; --n) {
+      straight_code();
+      if (pose_.by_words() && before.whole && choose_.chance(35))
+        pose_.direction(*before.whole);
+      else if (choose_.chance(75))
+        pose_.turn_by(choose_.between(2, 40) * 1000);
+      linear(path_.parallel(before));
+      write_.end_block();
+    }
+    movement();
+  }
+
   void switch_mode() {
     write_.incremental(!write_.incremental());
     write_.word(write_.incremental() ? "G91" : "G90");
@@ -402,6 +420,7 @@ class ToolSide {
         still_block();
         return movement();
       case 3:
+        if (reads_more() && pose_.turns() && choose_.chance(50)) return along_the_former_tool();
         for (std::int64_t n = choose_.between(2, reads_more() ? 7 : 3); n > 0; --n) still_block();
         return movement();
       case 4:
