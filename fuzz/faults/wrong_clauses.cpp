@@ -35,6 +35,13 @@ spec::Case forty_six_as_forty_five(const spec::Case& c) {
   return other;
 }
 
+spec::Case reads_past_stops(const spec::Case& c) {
+  spec::Case other = c;
+  replace_all(other.program, "M00", "M05");
+  replace_all(other.program, "M01", "M05");
+  return other;
+}
+
 spec::Case positive_values(const spec::Case& c) {
   spec::Case other = c;
   for (auto* offsets : {&other.setup.d, &other.setup.h})
@@ -210,6 +217,7 @@ constexpr WrongClause kWrong[] = {
      nullptr},
     {"cutter_c_kept_by_92", "fanuc/cutter-compensation-c", "where-the-tool-is-said-to-be", kBudget, nullptr,
      keep_before_a_shift},
+    {"cutter_c_reads_past_stops", "fanuc/cutter-compensation-c", "cut-at-a-stop", kBudget, reads_past_stops, nullptr},
     {"tip_without_holder_offset", "fanuc/tool-center-point-control", "tip-of-the-axes", kBudget, without_holder_offset,
      nullptr},
     {"tip_sense", "fanuc/tool-center-point-control", "axis-of-the-positions", kBudget, other_sense, nullptr},

@@ -26,7 +26,8 @@ constexpr std::array kChanges{Change{"value-zero", no_offsets, no_deltas},
                               Change{"quarter-turn", quarter_turn},
                               Change{"a-tenth", a_tenth},
                               Change{"reversed", reversed},
-                              Change{"moved-origins", moved_origins, nullptr, selects_a_system}};
+                              Change{"moved-origins", moved_origins, nullptr, selects_a_system},
+                              Change{"cut-at-a-stop", cut_at_a_stop, nullptr, stops_in_compensation}};
 
 std::uint64_t hash(std::string_view text) {
   std::uint64_t h = 0xcbf29ce484222325;  // FNV-1a

@@ -40,6 +40,10 @@ using Runner = std::function<std::vector<model::Event>(const spec::Case&)>;
 // through a point of another system (it keeps coordinates), nor with G37 in two systems (so does the setup), P of G54.1
 // beside another code with P, or numbers that grow too long. Also asked of every program that selects a system.
 //
+// cut-at-a-stop: up to a block with M00 or M01 the events are those of the program that ends there: a control that
+// waits for its operator has not read on. Of the first two such blocks; not where programs are called, nor two blocks
+// in one line. Also asked of every program with a compensation and such a block.
+//
 // The clauses know no other length, side or direction than those of program and setup, so what they define is
 // equivariant.
 std::span<const std::string_view> changes();

@@ -24,6 +24,12 @@ namespace {
 // An arc of R5 between (50,10) (50,0) and (40,0) (40,10) (60,10).
 #define SMALL_ARC "G03 X50. Y0 I5. J0\nG01 Y-20."
 #define A_CCN(rest) CUTTER("\"5003#2\" = 1\n", "10", "-40", "0"), "G17 G90 G01 F100 G41 D1 X0 Y0\nX40.\n" rest "\n"
+// The same with parameters.
+#define A_READS(parameters, rest) CUTTER(parameters, "10", "-40", "0"), "G17 G90 G01 F100 G41 D1 X0 Y0\nX40.\n" rest "\n"
+// The program of the manual's figure, from (0, 0).
+#define READS(parameters) \
+  CUTTER(parameters, "10", "0", "0"), "G17 G91 G01 F100 G41 D1 X10. Y10.\nX100. Y100.\nS21\nG04 X10.\nX100.\n"
+#define SERIES_30I "series = \"30i\"\n"
 
 constexpr Example kRules[] = {
     {"G41 again after a lone G40, before the vector is removed: undecided.", A_LINE("G40\nG41\nX60.")},
@@ -76,6 +82,42 @@ constexpr Example kRules[] = {
     {"G28 with CCN = 1 and no way to the intermediate point: (40,10), kept there, then (0,0).", A_CCN("G28 X40. Y0")},
     {"The side changes in the block after the start-up: it ends perpendicular, (0,10), DIR_CHANGE_AT_STARTUP.",
      CUTTER("", "10", "-40", "0"), "G17 G90 G01 F100 G41 D1 X0 Y0\nG42 X40. Y30.\n"},
+
+    // How far is read ahead.
+    {"M00 stops the look-ahead: the block before it ends perpendicular, (-10,100), not at the corner, (-10,110).",
+     CUTTER("", "10", "0", "0"), "G17 G91 G01 G41 D1 Y50. F100\nY50.\nM00\nX50.\n",
+     "1 s G1 -10 50\n2 p G1 -10 100\n4 p G1 50 110\n"},
+    {"G53 without an axis word stops it too: (40,10), not (30,10).", A_LINE("G53\nY30."),
+     "1 s G1 0 10\n2 p G1 40 10\n4 p G1 30 30\n"},
+    {"M08 by No. 3411 stops it: (40,10).", A_READS("3411 = 8\n", "M08\nY30."),
+     "1 s G1 0 10\n2 p G1 40 10\n4 p G1 30 30\n"},
+    {"M08 between No. 3431 and 3432 as well.", A_READS("3431 = 7\n3432 = 8\n", "M08\nY30."),
+     "1 s G1 0 10\n2 p G1 40 10\n4 p G1 30 30\n"},
+    {"M08 beyond the last one of a range does not: (30,10).", A_READS("3421 = 5\n3422 = 7\n", "M08\nY30."),
+     "1 s G1 0 10\n2 p G1 30 10\n4 p G1 30 30\n"},
+    {"A block that stops it and moves makes the corner before it, (30,10), and ends perpendicular itself, (30,30).",
+     A_READS("3411 = 8\n", "Y30. M08\nX20."), "1 s G1 0 10\n2 p G1 30 10\n3 p G1 30 30\n4 p G1 20 20\n"},
+    {"G39 before M01 makes no arc.", A_LINE("G39\nM01\nY30."), "1 s G1 0 10\n2 p G1 40 10\n5 p G1 30 30\n"},
+    {"Two blocks without motion, 16i: perpendicular, (110,110) + 10 (-1,1)/sqrt 2.", READS(""),
+     "1 s G1 2.9289321881345 17.0710678118655\n2 p G1 102.9289321881345 117.0710678118655\n5 p G1 210 120\n"},
+    {"The same with No. 19625, which the 16i does not know.", READS("19625 = 5\n"),
+     "1 s G1 2.9289321881345 17.0710678118655\n2 p G1 102.9289321881345 117.0710678118655\n5 p G1 210 120\n"},
+    {"The same on the 30i, which reads three blocks.", SERIES_30I READS(""),
+     "1 s G1 2.9289321881345 17.0710678118655\n2 p G1 102.9289321881345 117.0710678118655\n5 p G1 210 120\n"},
+    {"The 30i reads five blocks: the corner, (110,110) + 10 (1 - sqrt 2,1).", SERIES_30I READS("19625 = 5\n"),
+     "1 s G1 2.9289321881345 17.0710678118655\n2 p G1 105.8578643762690 120\n5 p G1 210 120\n"},
+    {"The 30i reads four blocks: A, two without motion, and B.", SERIES_30I READS("19625 = 4\n"),
+     "1 s G1 2.9289321881345 17.0710678118655\n2 p G1 105.8578643762690 120\n5 p G1 210 120\n"},
+    {"A way of 0 with an axis word counts as several, however many are read: (40,10).",
+     SERIES_30I A_READS("19625 = 8\n", "X40.\nY30."), "1 s G1 0 10\n2 p G1 40 10\n3 p G1 40 10\n4 p G1 30 30\n"},
+    {"Behind a lone G40 an axis word takes the vector away, though the way is 0: (-20,-20). The next pass starts there.",
+     CUTTER("", "4", "-20", "-20"),
+     "G17 G90 G01 G41 D1 X0 Y40. F500\nY0\nX80.\nX-20. Y-20.\nG40\nG00 Z5.\nG00 X-20. Y-20.\nG01 G41 X0 Y40.\n",
+     "1 s G1 4 40\n2 p G1 4 4\n3 p G1 84 4\n4 c G1 84.7067872433164 -3.1378581622109\n"
+     "4 p G1 -19.2155354594473 -23.9223227027637\n6 p G0 -19.2155354594473 -23.9223227027637 5\n7 e G0 -20 -20 5\n"
+     "8 s G1 -3.7947331922021 41.2649110640674 5\n"},
+    {"The plane may be changed from then on.", A_LINE("G40\nX40. Y0\nG18 X50."),
+     "1 s G1 0 10\n2 p G1 40 10\n4 e G1 40 0\n5 p G1 50 0\n"},
 };
 
 #undef CUTTER
@@ -87,6 +129,9 @@ constexpr Example kRules[] = {
 #undef NOTCH
 #undef SMALL_ARC
 #undef A_CCN
+#undef A_READS
+#undef READS
+#undef SERIES_30I
 
 }  // namespace
 

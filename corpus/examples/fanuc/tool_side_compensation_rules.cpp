@@ -15,6 +15,7 @@ namespace {
 #define XYZ "\"X\", \"Y\", \"Z\""
 #define TYPE_B "\"5003#0\" = 1\n"
 #define TYPE_C "\"5003#1\" = 1\n"
+#define SERIES_30I "series = \"30i\"\n"
 #define BEFORE_X "X = -40\n"
 #define BEFORE_Y "Y = -40\n"
 
@@ -88,6 +89,25 @@ constexpr Example kRules[] = {
      RIGHT "X100.\nM08\nM09\nY100.\nG40 Y150.\n"},
     {"M00 stops the look-ahead: line 2 ends with the perpendicular (0, -10, 0).", HERE,
      RIGHT "X100.\nM00\nY100.\nG40 Y150.\n"},
+    {"So does M08 by No. 3420.", HEAD("3420 = 8\n") BEFORE_X, RIGHT "X100.\nM08\nY100.\nG40 Y150.\n",
+     "1 s G1 0 -10 0\n2 p G1 100 -10 0\n4 p G1 110 100 0\n5 e G1 100 150 0\n"},
+    {"The 30i reads five blocks: past three without movement, to the corner (10, -10, 0).",
+     SERIES_30I HEAD("19625 = 5\n") BEFORE_X, RIGHT "X100.\nM08\nM09\nM08\nY100.\nG40 Y150.\n",
+     "1 s G1 0 -10 0\n2 p G1 110 -10 0\n6 p G1 110 100 0\n7 e G1 100 150 0\n"},
+    {"And not past four of them.", SERIES_30I HEAD("19625 = 5\n") BEFORE_X,
+     RIGHT "X100.\nM08\nM09\nM08\nM09\nY100.\nG40 Y150.\n",
+     "1 s G1 0 -10 0\n2 p G1 100 -10 0\n7 p G1 110 100 0\n8 e G1 100 150 0\n"},
+    {"The corner of line 4 and line 5, straight on, (0, -10, 0), is known before that of line 3 and line 6, (-10, 10, "
+     "0): "
+     "what lies between goes along the tool there. Line 5 ends with (-8, -10, 6), line 6 with (-8, 0, 6).",
+     SERIES_30I VECTOR(XYZ, "19625 = 5\n") BEFORE_X, LEFT_VECTOR "X100.\nZ50. I3 J0 K4\nZ80.\nY100.\nG40 Y150.\n",
+     "1 p G0 -40 0 0\n2 s G1 0 10 0\n3 p G1 90 10 0\n4 p G1 100 -10 50\n5 p G1 92 -10 86\n6 p G1 92 100 86\n7 e G1 100 "
+     "150 80\n"},
+    {"The same where line 5 is along the tool at its own end: it keeps (0, -10, 0), and line 6 starts from it.",
+     SERIES_30I VECTOR(XYZ, "19625 = 5\n") BEFORE_X,
+     LEFT_VECTOR "X100.\nZ50. I3 J0 K4\nZ80. I0 J0 K1\nY100.\nG40 Y150.\n",
+     "1 p G0 -40 0 0\n2 s G1 0 10 0\n3 p G1 90 10 0\n4 p G1 100 -10 50\n5 p G1 100 -10 80\n6 p G1 90 100 80\n7 e G1 "
+     "100 150 80\n"},
     {"Two rotations in a row: line 3 ends with the perpendicular (0, -10, 0), lines 4 and 5 keep it; line 6 ends with "
      "10 (0, -0.8, 0.6), right of X with VT (0, 0.6, 0.8).",
      THERE, "G43.5 H0 I0 J0 K1\nG01 G42.6 D1 X0 F1000\nX100.\nI1 J0 K1\nI0 J3 K4\nX200.\nG40 X250.\n"},
@@ -224,6 +244,7 @@ constexpr Example kRules[] = {
 #undef XYZ
 #undef TYPE_B
 #undef TYPE_C
+#undef SERIES_30I
 #undef BEFORE_X
 #undef BEFORE_Y
 #undef LEFT

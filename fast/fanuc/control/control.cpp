@@ -8,6 +8,7 @@ namespace toolcomp::fast {
 Control::Control(const spec::Setup& setup, EventSink& sink, std::uint32_t samples)
     : kinematics(setup),
       axes(setup, kinematics),
+      stop_codes(setup),
       units(setup),
       modal(axes.xyz),
       positions(setup, axes),

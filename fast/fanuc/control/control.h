@@ -60,6 +60,7 @@ struct Control {
 
   Kinematics kinematics;
   const ControlAxes axes;
+  const StopCodes stop_codes;
   WordUnits units;
   ModalState modal;
   AxisPositions positions;

@@ -3,9 +3,18 @@
 
 #include <string>
 
+#include "fast/fanuc/program/words.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::fast {
+namespace {
+
+unsigned read_at_a_time(const spec::Setup& setup) {
+  const auto given = setup.parameter(19625);
+  return given && setup.series == spec::Series::series_30i ? whole_number(*given, kMostBlocksRead) : 3U;
+}
+
+}  // namespace
 
 Count length_parameter(const spec::Setup& setup, std::uint32_t number) {
   const auto value = setup.parameter(number);
@@ -20,6 +29,7 @@ CornerParameters::CornerParameters(const spec::Setup& setup)
       no_interference(setup.bit(5008, 0)),
       limit(length_parameter(setup, 5010)),
       limit_value(limit.nearest()),
-      keeps_all(limit < Count()) {}
+      keeps_all(limit < Count()),
+      still_limit(read_at_a_time(setup) - 1U) {}
 
 }  // namespace toolcomp::fast

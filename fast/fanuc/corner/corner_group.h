@@ -13,6 +13,9 @@
 
 namespace toolcomp::fast {
 
+// No. 19625 at the most.
+inline constexpr unsigned kMostBlocksRead = 8;
+
 // Parameters that decide which vectors a corner has.
 struct CornerParameters {
   // Throws spec::InputError for a limit no control could have.
@@ -23,6 +26,8 @@ struct CornerParameters {
   Count limit;                   // 5010
   double limit_value = 0;
   bool keeps_all = false;  // 5010 is negative
+  // So many blocks that do not move end the path before them: one less than are read at a time (19625, 3).
+  unsigned still_limit = 2;
   [[nodiscard]] DoubleDouble fine_limit() const {
     return to_double_double(limit.units()) / to_double_double(Count::kRestPerOne);
   }

@@ -3,8 +3,8 @@
 //
 //  * A path is a block that moves in the compensation plane. It is held until the vectors at its end are known; at its
 //    start they are known already.
-//  * A block that moves nowhere in it is held behind the path and counted. With the second one the path is released: it
-//    ends with the vector perpendicular to it, and the blocks behind it go out at that vector.
+//  * A block that moves nowhere in it is held behind the path and counted. With the last that is read the path is
+//    released: it ends with the vector perpendicular to it, and the blocks behind it go out at that vector.
 //  * The next path makes the corner: a group of vectors at the end of the path that is held, whose interference check
 //    may drop vectors at both its ends. It goes out: the moves from vector to vector of the corner before it, its own
 //    move to the first vector of the corner behind it, then the blocks behind it. Now the next path is held.
@@ -41,7 +41,10 @@
 
 namespace toolcomp::fast {
 
-template <class Section, class Block, class Path, class Group, std::size_t kSlots>
+// Of the blocks that one stage takes at a time.
+inline constexpr std::size_t kMostSlots = 2 * kMostBlocksRead;
+
+template <class Section, class Block, class Path, class Group>
 class CornerStage {
  public:
   // The block to fill in next. It keeps what it held before: the caller writes every field.
@@ -204,12 +207,12 @@ class CornerStage {
     --count_;
     first_ = after_slot(first_);
   }
-  static std::uint8_t after_slot(std::uint8_t slot) {
-    return slot + 1U == kSlots ? std::uint8_t{0} : static_cast<std::uint8_t>(slot + 1U);
+  [[nodiscard]] std::uint8_t after_slot(std::uint8_t slot) const {
+    return slot + 1U == slots_ ? std::uint8_t{0} : static_cast<std::uint8_t>(slot + 1U);
   }
   [[nodiscard]] Block& held(std::size_t i) {
     const std::size_t slot = first_ + i;
-    return ring_[slot < kSlots ? slot : slot - kSlots];
+    return ring_[slot < slots_ ? slot : slot - slots_];
   }
   [[gnu::always_inline]] void send(Block& block, const Vector& vector, bool own) {
     if (own) [[likely]] {
@@ -223,9 +226,14 @@ class CornerStage {
     for (; count_ > 0; free_first()) send(held(0), vector, held(0).own);
   }
 
-  static constexpr std::uint8_t kPaths = 4;  // of the block held, the ones before and after it
-  static std::uint8_t after(std::uint8_t path) { return static_cast<std::uint8_t>((path + 1U) % kPaths); }
-  static std::uint8_t before(std::uint8_t path) { return static_cast<std::uint8_t>((path + kPaths - 1U) % kPaths); }
+  // Of the block held, the ones before and after it, and those that wait for it.
+  static constexpr std::uint8_t kMostPaths = kMostBlocksRead + 1;
+  [[nodiscard]] std::uint8_t after(std::uint8_t path) const {
+    return path + 1U == path_count_ ? std::uint8_t{0} : static_cast<std::uint8_t>(path + 1U);
+  }
+  [[nodiscard]] std::uint8_t before(std::uint8_t path) const {
+    return static_cast<std::uint8_t>((path == 0 ? path_count_ : path) - 1U);
+  }
   Path& new_path() { return paths_[path_ = after(path_)]; }
   // Of the path that is held: vectors at its start, or the one in force; vectors at its end.
   [[nodiscard]] Group& at_start() { return *start_; }
@@ -263,14 +271,16 @@ class CornerStage {
   static constexpr bool kUpToStop = false;           // moves up to the stop point belong to the former block
 
   EventSink* sink_;
-  std::array<Block, kSlots> ring_;
+  std::uint8_t slots_;  // no more of the ring than this section and setup take: what is small stays at hand
+  std::array<Block, kMostSlots> ring_;
   std::uint8_t next_ = 0;
   Block* free_ = ring_.data();  // the slot next_: every block asks for it again and again
   std::uint8_t first_ = 0;      // slots held: first_ … , count_ of them
   std::uint8_t count_ = 0;
   std::uint8_t waits_ = 0;  // of these the blocks that wait for the last vector of the corner before the path
   Held held_ = Held::nothing;
-  std::array<Path, kPaths> paths_;
+  std::uint8_t path_count_;
+  std::array<Path, kMostPaths> paths_;
   std::uint8_t path_ = 0;
   const Path* last_ = nullptr;  // of the moving block before
 
@@ -288,7 +298,8 @@ class CornerStage {
 
  private:
   friend Section;
-  explicit CornerStage(EventSink& sink) : sink_(&sink) {}
+  CornerStage(EventSink& sink, unsigned slots, unsigned paths)
+      : sink_(&sink), slots_(static_cast<std::uint8_t>(slots)), path_count_(static_cast<std::uint8_t>(paths)) {}
   ~CornerStage() = default;
   [[nodiscard]] Section& section() { return static_cast<Section&>(*this); }
   [[nodiscard]] const Section& section() const { return static_cast<const Section&>(*this); }

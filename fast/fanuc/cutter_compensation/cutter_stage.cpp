@@ -3,6 +3,7 @@
 
 #include <type_traits>
 
+#include "fast/basis/fault.h"
 #include "fast/fanuc/cutter_compensation_b/cutter_compensation_b.h"
 #include "fast/fanuc/cutter_compensation_c/cutter_compensation_c.h"
 
@@ -159,6 +160,8 @@ template <class Compensation>
 Alarm CutterStage<Compensation>::take(const Words& words, Command& command) {
   set_takes_moves(concerned());
   if (!concerned()) return AlarmCause::none;
+  stops_ = kIsC<Compensation> && (words.suppresses_look_ahead() || words.code(Words::kOneShot) == 530) &&
+           !fault(Fault::c_reads_past_stop);
   CutterValue& value = control_.cutter_value;
   const bool d_word = value.commanded(words).has_value();
   const Code code = words.code(Words::kCompensation);
@@ -278,7 +281,21 @@ void CutterStage<Compensation>::send(CutterBlock& block) {
   for (std::size_t i = 0; i < 2; ++i) block.end[i] = control_.positions.actual(block.axis[i]);
   if (block.motion == CutterMotion::line && block.start[0] == block.end[0] && block.start[1] == block.end[1])
     block.motion = CutterMotion::zero;
+  if (stops_) [[unlikely]]
+    return pass_alone(block);
   pass();
+}
+
+// What lies behind it is not read before it has run: it may be the next block of a corner, and has none itself.
+template <class Compensation>
+void CutterStage<Compensation>::pass_alone(const CutterBlock& block) {
+  stops_ = false;
+  const bool is_next = block.motion == CutterMotion::line || block.motion == CutterMotion::arc ||
+                       block.motion == CutterMotion::to_intermediate;
+  if (!is_next) release();
+  if (!control_.stopped) pass();
+  if (!control_.stopped) release();
+  set_on(compensation_.active());
 }
 
 template <class Compensation>

@@ -88,10 +88,12 @@ class CutterStage final : public Stage {
   // To the end of the block.
   void send(CutterBlock& block);
   void pass();
+  void pass_alone(const CutterBlock& block);
 
   Compensation compensation_;
   CutterShortCuts<Compensation> usual_;
   CutterSide side_ = CutterSide::off;  // G40 G41 G42 in force
+  bool stops_ = false;                 // the block stops the look-ahead
 };
 
 }  // namespace toolcomp::fast

@@ -24,7 +24,7 @@ Heading heading_of(const CutterBlock& block) {
 }  // namespace
 
 CutterCompensationC::CutterCompensationC(const spec::Setup& setup, EventSink& sink)
-    : CornerStage(sink), parameters_(setup), make_(parameters_) {}
+    : CornerStage(sink, CutterParameters(setup).still_limit + 2, 4), parameters_(setup), make_(parameters_) {}
 
 Alarm CutterCompensationC::check(const CutterCommand& command) const {
   const CutterSide side = command.word == CutterSide::unchanged ? side_ : command.word;
@@ -228,8 +228,12 @@ StageEnd CutterCompensationC::release() {
 
 StageEnd CutterCompensationC::still_block(CutterBlock& block) {
   const bool asked = wanted(block);
-  const unsigned weight = block.motion == CutterMotion::zero ? 2 : 1;
-  const unsigned limit = fault(Fault::c_two_still_as_one) ? 3 : 2;
+  const unsigned limit = parameters_.still_limit + (fault(Fault::c_two_still_as_one) ? 1 : 0);
+  const unsigned weight = block.motion == CutterMotion::zero ? parameters_.still_limit : 1;
+  if (mode_ == Mode::ends && block.motion == CutterMotion::zero && !fault(Fault::c_zero_travel_keeps_vector)) {
+    remove_vector(block, block.own);
+    return {};
+  }
   if (mode_ == Mode::on) {
     if (!asked) {
       if (const StageEnd end = release()) return end;

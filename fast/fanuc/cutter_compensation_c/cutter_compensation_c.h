@@ -30,8 +30,8 @@ struct CutterPath {
   [[nodiscard]] bool is_arc() const { return flat.arc; }
 };
 
-// Look-ahead: a block that moves in the plane, one block after it that does not, and the next one.
-class CutterCompensationC : public CornerStage<CutterCompensationC, CutterBlock, CutterPath, CutterGroup, 4>,
+// Look-ahead: a block that moves in the plane, blocks after it that do not, and the next one.
+class CutterCompensationC : public CornerStage<CutterCompensationC, CutterBlock, CutterPath, CutterGroup>,
                             public UsualPathLender {
  public:
   // Throws spec::InputError for parameters no control could have.

@@ -115,7 +115,7 @@ void Interpreter::block(const spec::Block& block) {
     raise(block.alarm->cause, block.alarm->message);
     return;
   }
-  const Words words(block, control_.axes.letters);
+  const Words words(block, control_.axes.letters, control_.stop_codes);
   if (control_.refuses_repeats && !words.unsupported() && repeats(block)) [[unlikely]]
     return raise(AlarmCause::address_repeated);
   if (on_ != nullptr && !on_->on()) [[unlikely]]

@@ -39,6 +39,9 @@ bool is_without_effect(std::uint64_t tenths) {
   return std::ranges::binary_search(kCodes, tenths);
 }
 
+// What a parameter may name.
+constexpr std::uint32_t kMostM = 99'999'999;
+
 // Codes to which the axis letters of their block belong.
 bool takes_letters(std::uint64_t tenths) {
   return tenths == 40 || tenths == 100 || tenths == 50 || tenths == 51 || tenths == 220 || tenths == 501;
@@ -182,8 +185,22 @@ std::size_t Words::workpiece() const {
   return number == 0 || number > spec::kAdditionalWorkpieces ? kNoSystem : std::size_t{5} + number;
 }
 
+StopCodes::StopCodes(const spec::Setup& setup) {
+  const auto value = [&setup](std::uint32_t number) {
+    const auto given = setup.parameter(number);
+    return given ? whole_number(*given, kMostM) : 0U;
+  };
+  const auto add = [this](std::uint32_t first, std::uint32_t last) {
+    if (first <= last && last > 0) ranges.emplace_back(first, last);
+  };
+  for (std::uint32_t number = 3411; number <= 3420; ++number) add(value(number), value(number));
+  for (std::uint32_t number = 3421; number <= 3431; number += 2) add(value(number), value(number + 1));
+}
+
 void Words::m_word(const spec::Decimal& value) {
-  switch (whole_number(value, 99)) {
+  const std::uint32_t code = whole_number(value, kMostM);
+  stop_ = stop_ || stop_codes_.has(code);
+  switch (code) {
     case 0:
     case 1:
       stop_ = true;

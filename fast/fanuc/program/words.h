@@ -5,9 +5,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "spec/language/axes.h"
 #include "spec/language/fanuc/block.h"
+#include "spec/language/setup.h"
 
 namespace toolcomp::fast {
 
@@ -42,6 +45,18 @@ struct AxisLetters {
 
 // An address other than G, M, N and O stands twice in the block, or two codes of one group do.
 bool repeats(const spec::Block& block);
+// The M codes that parameters name as those that keep the control from reading ahead (3411 to 3432): from first to
+// last.
+struct StopCodes {
+  explicit StopCodes(const spec::Setup& setup);
+  [[nodiscard]] bool has(std::uint32_t code) const {
+    for (const auto& [first, last] : ranges)
+      if (first <= code && code <= last) return true;
+    return false;
+  }
+
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ranges;
+};
 
 // A block taken apart. Of several codes of a group, and of several words of one letter, the last one counts.
 // Points into the block it was made from.
@@ -60,8 +75,8 @@ class Words {
     kGroups
   };
 
-  // A code the control does not have is unknown_code(). Refers to both.
-  Words(const spec::Block& block, const AxisLetters& axes);
+  // A code the control does not have is unknown_code(). Refers to all of them.
+  Words(const spec::Block& block, const AxisLetters& axes, const StopCodes& stops);
 
   // The code of a group, or kNone.
   [[nodiscard]] Code code(std::size_t group) const { return code_[group]; }
@@ -100,7 +115,7 @@ class Words {
   [[nodiscard]] bool starts_tip_control() const { return code_[kLength] == 434 || code_[kLength] == 435; }
   // A word other than N and O.
   [[nodiscard]] bool any() const { return any_; }
-  // M00 M01 M02 M30, which keep the control from reading ahead.
+  // M00 M01 M02 M30, or an M code of parameters, which keep the control from reading ahead.
   [[nodiscard]] bool suppresses_look_ahead() const { return stop_ || end_; }
   // M02 M30.
   [[nodiscard]] bool ends_program() const { return end_; }
@@ -124,6 +139,7 @@ class Words {
   }
 
   const AxisLetters& axis_letters_;
+  const StopCodes& stop_codes_;
   std::array<Code, kGroups> code_;
   std::array<const spec::Decimal*, 26> value_;  // set where letters_ has the bit
   std::uint32_t letters_ = 0;
@@ -142,7 +158,8 @@ class Words {
 };
 
 // NOLINTNEXTLINE: arrays are read only where marked as set
-inline Words::Words(const spec::Block& block, const AxisLetters& axes) : axis_letters_(axes) {
+inline Words::Words(const spec::Block& block, const AxisLetters& axes, const StopCodes& stops)
+    : axis_letters_(axes), stop_codes_(stops) {
   code_.fill(kNone);
   // Not in a member while the loop runs, and without a branch: which letter comes next follows no pattern.
   std::uint32_t codes = 0;  // bit i: a letter of the code 64 + i

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fast/fanuc/tool_side_compensation/tool_side_compensation.h"
 
+#include <algorithm>
+
 #include "fast/basis/fault.h"
 
 namespace toolcomp::fast {
@@ -17,7 +19,7 @@ void rename_corner(Event& move, const Event& place) {
 }  // namespace
 
 ToolSideCompensation::ToolSideCompensation(const spec::Setup& setup, const Kinematics& kinematics, EventSink& sink)
-    : CornerStage(sink),
+    : CornerStage(sink, 2 * SideParameters(setup).still_limit + 1, SideParameters(setup).still_limit + 2),
       parameters_(setup),
       geometry_(kinematics),
       make_(geometry_, parameters_),
@@ -47,7 +49,7 @@ ToolSideCompensation::ToolSideCompensation(const spec::Setup& setup, const Kinem
 }
 
 const Direction& ToolSideCompensation::keep_tool(const Direction& tool) {
-  kept_ = kept_ == &tools_.back() ? tools_.data() : kept_ + 1;
+  kept_ = kept_ == &tools_[path_count_ - 1U] ? tools_.data() : kept_ + 1;
   *kept_ = tool;
   return *kept_;
 }
@@ -156,57 +158,102 @@ StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
   return {};
 }
 
+[[gnu::always_inline]] inline ToolSideCompensation::Moves ToolSideCompensation::see_moves(const ToolSideBlock& block) {
+  const bool at_end = next_moves();
+  if (held_ != Held::path) return {at_end, false};
+  // The tool stands as it did at the end of the path: asked already.
+  const bool stands = last_->tool == kept_ && block.tool_number == kept_number_;
+  for (WaitingPath& w : waiting()) w.moves = w.next.path == nullptr && next_moves_at(*w.path->tool);
+  return {at_end, stands ? at_end : next_moves_at(*last_->tool)};
+}
+
 // What counts is how the block moves at its own end and at the corners that are still to be made.
 [[gnu::always_inline]] inline StageEnd ToolSideCompensation::next_block(ToolSideBlock& block) {
-  const bool at_end = next_moves();
-  // The tool stands as it did at the end of the path: asked already.
-  const bool stands = held_ == Held::path && last_->tool == kept_ && block.tool_number == kept_number_;
-  const Moves where{at_end, held_ == Held::path && (stands ? at_end : next_moves_at(*last_->tool)),
-                    waiting_path_ != nullptr && next_moves_at(*waiting_path_->tool)};
-  if (!where.at_end && !where.at_path && !where.at_waiting) return still_block(block, 1, 2);
+  const Moves where = see_moves(block);
+  const auto moves_there = [](const WaitingPath& w) { return w.moves; };
+  if (!where.at_end && !where.at_path && std::ranges::none_of(waiting(), moves_there)) return still_block(block);
   SidePath& to = new_path();
   set_path(to, block);
   if (const Alarm a = check_path(to, where.at_path)) return refuse(block, a);
+  const auto edge_there = [&](const WaitingPath& w) { return w.moves && on_edge(block, *w.path->tool); };
   if (block.arc && ((held_ == Held::path && on_edge(block, *last_->tool)) ||
-                    (waiting_path_ != nullptr && on_edge(block, *waiting_path_->tool)) || on_edge(block, *block.tool)))
+                    std::ranges::any_of(waiting(), edge_there) || on_edge(block, *block.tool)))
     return undecide(block, "fanuc.tool-side.arc-plane");
   after_start_ = false;
   return path_block(block, to, where);
 }
 
-// A block that moves somewhere. Of two paths the first one is always out behind it.
+StageEnd ToolSideCompensation::still_block(ToolSideBlock& block) {
+  if (held_ == Held::nothing) {
+    send_in_force(block);
+    return {};
+  }
+  hold();
+  ++still_;
+  repeated_ |= block.repeated;
+  for (WaitingPath& w : waiting()) w.repeated |= block.repeated;
+  if (still_ < parameters_.still_limit) return {};
+  joined_ = nullptr;
+  if (const Alarm a = release_path()) return at_fault(a);
+  if (const Alarm a = settle()) return at_fault(a);
+  return {};
+}
+
+// A block that moves somewhere.
 [[gnu::always_inline]] inline StageEnd ToolSideCompensation::path_block(ToolSideBlock& block, const SidePath& to,
                                                                         const Moves& where) {
-  const Direction* start_tool = to.tool;
-  const Amount* start_offset = &to.offset;
-  bool corner = where.at_path;
-  while (held_ == Held::path) {
-    const SidePath& from = *last_;
-    if (corner) {
-      if (const Alarm a = join(to, rule_before(block))) return at_fault(a);
-      start_tool = from.tool;
-      start_offset = &from.offset;
-    } else if (still_ > 0) {
-      if (const Alarm a = release_path()) return at_fault(a);
-    } else {
-      // It is passed over by the corner at the end of the path.
-      repeated_ |= block.repeated;
-      ++still_;
-      if (where.at_end && !fault(Fault::side_passed_over_keeps)) waiting_path_ = &to;
-      hold();
-      return {};
+  joined_ = nullptr;
+  if (held_ == Held::path) {
+    for (WaitingPath& w : waiting()) {
+      w.repeated |= block.repeated;
+      if (w.moves) w.next = {&to, w.repeated ? CornerRule::repeated : CornerRule::ordinary, false};
     }
-    corner = where.at_waiting;
+    if (where.at_path) {
+      if (const Alarm a = join(to, rule_before(block))) return at_fault(a);
+      joined_ = &to;
+      if (const Alarm a = settle()) return at_fault(a);
+    } else if (still_ + 1U >= parameters_.still_limit) {
+      if (const Alarm a = release_path()) return at_fault(a);
+      if (const Alarm a = settle()) return at_fault(a);
+    }
+  }
+  if (held_ == Held::path) {
+    // It is passed over by the corner at the end of the path.
+    repeated_ |= block.repeated;
+    ++still_;
+    hold();
+    if (where.at_end && !fault(Fault::side_passed_over_keeps))
+      waiting_[waiting_count_++] = {&to, static_cast<std::uint8_t>(count_ - waits_ - 1U), false, false, {}};
+    else if (waiting_count_ > 0 && waiting_[waiting_count_ - 1].next.path == &to)
+      waiting_[waiting_count_ - 1].next.keeps = true;
+    return {};
   }
   moves_at_end_ = where.at_end;
-  start_of_path_ = {start_tool, to.side, start_offset};
+  // It starts at a corner, in the plane there, where the last path that went out made one with it.
+  if (joined_ == &to)
+    start_of_path_ = {last_->tool, to.side, &last_->offset};
+  else
+    start_of_path_ = {to.tool, to.side, &to.offset};
   hold_path(to, false);
   return {};
+}
+
+Alarm ToolSideCompensation::settle() {
+  while (held_ == Held::path && next_of_path_.path != nullptr) {
+    const NextPath next = next_of_path_;
+    keeps_ = next.keeps;
+    if (const Alarm a = join(*next.path, next.rule)) return a;
+    joined_ = keeps_ ? nullptr : next.path;
+    if (keeps_ && held_ != Held::path) keep_vector();
+    keeps_ = false;
+  }
+  return AlarmCause::none;
 }
 
 [[gnu::always_inline]] inline void ToolSideCompensation::hold_path(const SidePath& to, bool starts_up) {
   checked_ = !starts_up && !parameters_.no_interference;
   treatment_ = next().treatment;
+  next_of_path_ = {};
   if (to.arc) next().mismatches = mismatches(next());
   CornerStage::hold_path(to, starts_up);
 }
@@ -226,13 +273,14 @@ StageEnd ToolSideCompensation::cancel_block(ToolSideBlock& block) {
     SidePath& to = new_path();
     set_path(to, block);
     while (held_ == Held::path) {
-      if (!moves_in_plane_of(to.arc, to.travel, *last_->tool)) {
-        if (const Alarm a = release_path()) return at_fault(a);
-        continue;
+      if (moves_in_plane_of(to.arc, to.travel, *last_->tool)) {
+        to.side = last_->side;
+        const bool repeated = repeated_ || block.repeated || starts_up_;
+        if (const Alarm a = join(to, repeated ? CornerRule::repeated : CornerRule::cancel)) return at_fault(a);
+      } else if (const Alarm a = release_path()) {
+        return at_fault(a);
       }
-      to.side = last_->side;
-      const bool repeated = repeated_ || block.repeated || starts_up_;
-      if (const Alarm a = join(to, repeated ? CornerRule::repeated : CornerRule::cancel)) return at_fault(a);
+      if (const Alarm a = settle()) return at_fault(a);
     }
     const std::size_t head = pass_blocks_before();
     if (block.renamed != nullptr) [[unlikely]]
@@ -254,8 +302,7 @@ void ToolSideCompensation::set_corner(SideGroup& group, const SidePath* second, 
   corner.second = second;
   corner.tool = last_->tool;
   if (fault(Fault::side_tool_at_start)) corner.tool = start_of_path_.tool;
-  if (fault(Fault::side_turned_tool) && count_ > waits_ + 1)
-    corner.tool = ring_[(first_ + waits_ + 1U) % ring_.size()].tool;
+  if (fault(Fault::side_turned_tool) && count_ > waits_ + 1) corner.tool = ring_[(first_ + waits_ + 1U) % slots_].tool;
   corner.first_side = last_->side;
   corner.second_side = second == nullptr ? last_->side : second->side;
   corner.offset = &last_->offset;
@@ -278,24 +325,49 @@ Alarm ToolSideCompensation::make_corner(SideGroup& group, const SidePath& to, Co
   return AlarmCause::none;
 }
 
+// The blocks up to the one that waited run at the last vector; where one of them has made the corner and keeps the
+// vector there is no corner behind it.
 void ToolSideCompensation::hold_waiting() {
-  start_of_path_ = {last_->tool, waiting_path_->side, &last_->offset};
-  last_ = waiting_path_;
-  waiting_path_ = nullptr;
+  const WaitingPath path = waiting_[0];
+  --waiting_count_;
+  for (std::size_t i = 0; i < waiting_count_; ++i) {
+    waiting_[i] = waiting_[i + 1];
+    waiting_[i].place = static_cast<std::uint8_t>(waiting_[i].place - path.place);
+  }
+  waits_ = static_cast<std::uint8_t>(path.place - 1U);
+  start_of_path_ = {last_->tool, path.path->side, &last_->offset};
+  if (keeps_) {
+    keep_vector();
+    start_of_path_ = {path.path->tool, path.path->side, &path.path->offset};
+  } else if (at_start().size == 1) {
+    (void)pass_blocks_before();
+  }
+  last_ = path.path;
+  next_of_path_ = path.next;
   moves_at_end_ = true;
   held_ = Held::path;
   starts_up_ = false;
   checked_ = !parameters_.no_interference;
-  treatment_ = held(0).treatment;
-  still_ = static_cast<std::uint8_t>(count_ - 1U);
-  repeated_ = false;
+  treatment_ = held(waits_).treatment;
+  still_ = static_cast<std::uint8_t>(count_ - waits_ - 1U);
+  repeated_ = path.repeated;
+}
+
+// Of the corner that has been made the last vector alone is left, behind the blocks that wait for it.
+void ToolSideCompensation::keep_vector() {
+  (void)pass_blocks_before();
+  make_.keep_last(at_start());
 }
 
 StageEnd ToolSideCompensation::release() {
   if (line_.taken) complete_line();
   line_.awaited = false;
   keep_without_direction();
-  if (held_ != Held::start) return release_paths();
+  while (held_ == Held::path) {
+    if (const Alarm a = release_path()) return at_fault(a);
+    if (const Alarm a = settle()) return at_fault(a);
+  }
+  if (held_ != Held::start) return {};
   mode_ = Mode::off;
   held_ = Held::nothing;
   count_ = 0;

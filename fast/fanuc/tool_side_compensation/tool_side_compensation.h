@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "fast/basis/alarm.h"
 #include "fast/basis/event.h"
@@ -33,7 +34,7 @@ struct LineCorner {
 // Look-ahead: a block that moves at its own end, one block after it that does not move in the plane there, and the next
 // one. The one in between may move at its own end: it then waits, as a path of its own, until the one before it is out.
 // Before the path, where the corner at its start has several vectors, one block that keeps the last of them.
-class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBlock, SidePath, SideGroup, 5>,
+class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBlock, SidePath, SideGroup>,
                              public UsualPathLender {
  public:
   // Throws spec::InputError for parameters no control could have.
@@ -123,9 +124,9 @@ class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBl
       warn_of_mismatch(block);
   }
   void warn_of_mismatch(const ToolSideBlock& block);
-  // Behind the path that has gone out: the one that waited for it is held in its place.
+  // Behind the path that has gone out: the first one that waited for it is held in its place.
   bool hold_waiting_path() {
-    if (waiting_path_ == nullptr) return false;
+    if (waiting_count_ == 0) return false;
     hold_waiting();
     return true;
   }
@@ -135,13 +136,33 @@ class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBl
   StageEnd any_block(ToolSideBlock& block);
   StageEnd second_block(ToolSideBlock& block);
   StageEnd next_block(ToolSideBlock& block);
-  // Where a block moves in the plane: at its own end, at the end of the path that is held and of the one that waits.
+  StageEnd still_block(ToolSideBlock& block);
+  // How the next path makes a corner with one that is held or waits; nullptr: it is not known yet.
+  struct NextPath {
+    const SidePath* path = nullptr;
+    CornerRule rule = CornerRule::ordinary;
+    bool keeps = false;  // that path moves nowhere at its own end: it keeps the vector
+  };
+  // A block behind the path that is held which is a path too: it moves at its own end.
+  struct WaitingPath {
+    const SidePath* path = nullptr;
+    std::uint8_t place = 0;  // of its block, behind that of the path that is held
+    bool repeated = false;
+    bool moves = false;  // whether next() moves there
+    NextPath next;
+  };
+  [[nodiscard]] std::span<WaitingPath> waiting() { return std::span(waiting_).first(waiting_count_); }
+  // Where a block moves in the plane: at its own end, at the end of the path that is held; WaitingPath has the others.
   struct Moves {
     bool at_end;
     bool at_path;
-    bool at_waiting;
   };
+  // A line whose tool stands as at the end of the path moves there as at its own end.
+  [[nodiscard]] Moves see_moves(const ToolSideBlock& block);
   StageEnd path_block(ToolSideBlock& block, const SidePath& to, const Moves& where);
+  // Behind the path that has gone out: paths go out as long as their next one is known.
+  [[nodiscard]] Alarm settle();
+  void keep_vector();
   StageEnd cancel_block(ToolSideBlock& block);
 
   // Of the usual line.
@@ -196,19 +217,21 @@ class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBl
   double shortest_;  // longer travels move for certain (No. 19630); 10^-6 of a setup unit
   bool xyz_first_;   // X Y Z are the first three axes
 
-  std::array<Direction, kPaths> tools_;
+  std::array<Direction, kMostPaths> tools_;
   Direction* kept_ = tools_.data();  // of them the one of the last path
   static constexpr std::uint64_t kNoTool = UINT64_MAX;
   std::uint64_t kept_number_ = kNoTool;  // ToolSideBlock::tool_number of that one
-  // Of the blocks behind the path the last one, where it moves at its own end; nullptr: it does not, or is not
-  // there.
-  const SidePath* waiting_path_ = nullptr;
+  std::array<WaitingPath, kMostBlocksRead> waiting_;
+  std::size_t waiting_count_ = 0;
   Direction start_tool_;  // of type C
 
   // Of the path that is held.
   bool moves_at_end_ = false;
   Treatment treatment_ = Treatment::none;
+  NextPath next_of_path_;
   PathStart start_of_path_;
+  const SidePath* joined_ = nullptr;  // the next path of the one that has gone out last; nullptr: it had none
+  bool keeps_ = false;                // and that keeps the vector
   UsualLine line_;
   bool awaits_paths_ = false;
 

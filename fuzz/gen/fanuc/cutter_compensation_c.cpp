@@ -69,6 +69,7 @@ class CompensationC final : public CutterProgram {
       case 3:
         still_block();
         still_block();
+        more_still_blocks();
         return block(contour_.movement());
       case 4:
         return other_side();
@@ -173,6 +174,20 @@ class CompensationC final : public CutterProgram {
     block(contour_.movement());
   }
 
+  // As many as the 30i may read past.
+  void more_still_blocks() {
+    if (case_.setup.series != spec::Series::series_30i) return;
+    for (std::int64_t n = choose_.between(0, 5); n > 0; --n) still_block();
+  }
+
+  // A move to where the tool is programmed to stand, and perhaps another plane.
+  void stand() {
+    zero_travel();
+    if (choose_.chance(30)) normal_travel();
+    write_.end_block();
+    if (choose_.chance(30)) write_.word(choose_.one_of({"G17", "G18", "G19"})).end_block();
+  }
+
   void cancel() override {
     switch (choose_.weighted({46, 14, 12, 8, 4, 4, 3, 5, 4})) {
       case 0:
@@ -181,6 +196,7 @@ class CompensationC final : public CutterProgram {
       case 1:
         write_.word("G40").end_block();
         if (choose_.chance(20)) still_block();
+        if (choose_.chance(15)) stand();
         return choose_.chance(85) ? straight() : void();
       case 2: {
         // The direction is chosen before the path turns.

@@ -157,7 +157,7 @@ void CutterProgram::still_block() {
     case 7:
       return change_memory();
     case 8:
-      write_.word(choose_.one_of({"M00", "M01", "G54", "G55", "N77", "P1"}));
+      write_.word(choose_.one_of({"M00", "M01", "G54", "G55", "N77", "P1", "G53"}));
       break;
     default:
       if (case_.setup.axes.has('B'))

@@ -294,6 +294,24 @@ void drop_absent_axes(Setup& setup) {
 
 }  // namespace
 
+void stop_codes(Choices& choose, Setup& setup) {
+  if (choose.chance(12))
+    set(setup, static_cast<std::uint32_t>(3411 + choose.below(10)),
+        spec::decimal(choose.one_of<std::int64_t>({8, 8, 5, 0, 30, 98, 99'999'999})));
+  if (!choose.chance(20)) return;
+  const auto first = static_cast<std::uint32_t>(3421 + 2 * choose.below(6));
+  if (choose.chance(90)) set(setup, first, spec::decimal(choose.between(0, 9)));
+  if (choose.chance(90)) set(setup, first + 1, spec::decimal(choose.between(4, 12)));
+}
+
+// Series, and how many blocks are read.
+void reading_ahead(Choices& choose, Setup& setup) {
+  if (choose.chance(40)) setup.series = spec::Series::series_30i;
+  if (choose.chance(setup.series == spec::Series::series_30i ? 70 : 5))
+    set(setup, 19625, spec::decimal(choose.between(3, 8)));
+  stop_codes(choose, setup);
+}
+
 Setup random_cutter_setup(Choices& choose, spec::CutterCompensationType type) {
   Setup setup = random_setup(choose, Kinematics::none);
   setup.cutter_compensation = type;
@@ -319,6 +337,7 @@ Setup random_cutter_setup(Choices& choose, spec::CutterCompensationType type) {
     if (choose.chance(40)) setup.series = spec::Series::series_30i;
     for (const int bit : {1, 3})
       if (choose.chance(30)) set_bit(setup, 5008, bit, choose.chance(80));
+    reading_ahead(choose, setup);
   }
   return setup;
 }
@@ -363,6 +382,7 @@ Setup random_tool_side_setup(Choices& choose) {
     const std::int64_t limit = choose.chance(60) ? about : choose.between(-1, 4 * one);
     set(setup, 5010, decimal(limit, decimals));
   }
+  reading_ahead(choose, setup);
   return setup;
 }
 

@@ -260,6 +260,8 @@ class ToolSide {
     write_.end_block();
   }
 
+  [[nodiscard]] bool reads_more() const { return case_.setup.series == spec::Series::series_30i; }
+
   void still_words() {
     write_.word(choose_.one_of({"M08", "S1000", "T2", "M05", "F300", "M08", "M00", "M01"})).end_block();
   }
@@ -305,6 +307,24 @@ class ToolSide {
       end_of_movement();
     }
     if (choose_.chance(60)) movement();
+  }
+
+  // Movements along the tool as it stood, which the corner before them passes over, while it turns and turns back: the
+  // corners between them are known before that one.
+  void along_the_former_tool() {
+    straight();
+    end_of_movement();
+    const ToolAim before = pose_.aim();
+    for (std::int64_t n = choose_.between(2, 6); n > 0; --n) {
+      straight_code();
+      if (pose_.by_words() && before.whole && choose_.chance(35))
+        pose_.direction(*before.whole);
+      else if (choose_.chance(75))
+        pose_.turn_by(choose_.between(2, 40) * 1000);
+      linear(path_.parallel(before));
+      write_.end_block();
+    }
+    movement();
   }
 
   void switch_mode() {
@@ -400,7 +420,8 @@ class ToolSide {
         still_block();
         return movement();
       case 3:
-        for (std::int64_t n = choose_.between(2, 3); n > 0; --n) still_block();
+        if (reads_more() && pose_.turns() && choose_.chance(50)) return along_the_former_tool();
+        for (std::int64_t n = choose_.between(2, reads_more() ? 7 : 3); n > 0; --n) still_block();
         return movement();
       case 4:
         return other_side();

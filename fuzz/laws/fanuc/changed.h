@@ -23,6 +23,10 @@ void moved_origins(const spec::Case& c, std::span<const model::Event> events, co
 // Whether the program selects another workpiece system than the first.
 bool selects_a_system(const spec::Case& c);
 
+void cut_at_a_stop(const spec::Case& c, std::span<const model::Event> events, const Runner& run, Holding& holding);
+// Whether a program with a compensation has an M00 or M01.
+bool stops_in_compensation(const spec::Case& c);
+
 // A word of the block of this index (FanucProgram) in the changed program; nothing where it cannot be written.
 using ChangedWord = std::function<std::optional<spec::Word>(std::size_t, const spec::Block&, const spec::Word&)>;
 // The program with every word changed, every block in its line, up to the first that cannot be read; nothing where a

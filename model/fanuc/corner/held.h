@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -50,6 +51,9 @@ struct Held {
   int without_movement = 0;   // what the blocks that do not move there count
   bool repeated = false;      // the code repeated in one of them, or in the block now taken
   std::vector<Step> between;  // of these blocks, those that make no vector of their own
+  // Its group, where the block that it makes its corner with has come while one before it still waits for its own.
+  std::function<SpaceGroup(Held& held)> met;
+  bool leaves_corner = false;  // and that block, the last one between, makes no vector: there is no corner behind it
 
   [[nodiscard]] bool starts() const { return kind == Kind::start_up || kind == Kind::lone_start; }
   // It has one vector at its end, and makes a corner with no block.

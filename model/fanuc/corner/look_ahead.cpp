@@ -6,6 +6,13 @@
 #include "model/basis/alarm.h"
 
 namespace toolcomp::model {
+
+int blocks_read(const spec::Setup& setup) {
+  constexpr int usual = 3;
+  const std::optional<spec::Decimal> given = setup.parameter(19625);
+  return setup.series == spec::Series::series_30i && given ? static_cast<int>(given->digits) : usual;
+}
+
 namespace {
 
 // A code that makes or removes the vector in a block that does not move: with the block's own move, or one for it.
@@ -60,12 +67,15 @@ void LookAhead::hold(Step& now, Held::Kind kind, const CutterOffset& offset, std
   if (held_.back().starts()) started_ = offset.side;
 }
 
-// In order; a corner is the first one held when its turn comes: what stands before it has been made or has ended.
+// In order. What counts to the limit is the first one held: one behind it has fewer blocks behind itself.
 void LookAhead::meet(Step& now, const Meeting& meeting) {
   for (std::size_t corner = 0; corner < meeting.moves.size(); ++corner) {
-    Held& held = held_.front();
+    const std::size_t gone = meeting.moves.size() - held_.size();
+    if (corner < gone || held_[corner - gone].met) continue;
+    Held& held = held_[corner - gone];
     if (said(now).repeats_code()) held.repeated = true;
-    decide_held(now);
+    now.clauses.add(recorder_.take_clauses());
+    recorder_.at(held.step.line);
     if (meeting.moves[corner] && held.stands()) {
       SpaceGroup vector = meeting.group(held, corner);
       if (held.kind == Held::Kind::lone_start) {
@@ -74,11 +84,11 @@ void LookAhead::meet(Step& now, const Meeting& meeting) {
       }
       pass(std::move(vector));
     } else if (meeting.moves[corner]) {
-      recorder_.decide(rules_.one_between, held.without_movement == 1);
-      release(meeting.group(held, corner));
+      held.met = [group = meeting.group, corner](Held& self) { return group(self, corner); };
+      release_met();
     } else {
       held.without_movement += meeting.counts;
-      if (held.without_movement >= 2) end_first(meeting.two_of_them);
+      if (held.without_movement >= limit()) end_first(meeting.too_many);
     }
     recorder_.at(now.line);
   }
@@ -101,10 +111,31 @@ void LookAhead::end_first(Clause why) {
   }
   recorder_.reach(why);
   release(section_.without_corner(held));
+  release_met();
+}
+
+void LookAhead::release_met() {
+  while (!held_.empty() && held_.front().met) {
+    Held& held = held_.front();
+    recorder_.at(held.step.line);
+    recorder_.decide(rules_.one_between, held.without_movement > 0);
+    const bool leaves = held.leaves_corner;
+    const auto group = std::move(held.met);
+    release(group(held));
+    if (!leaves) continue;
+    flush();
+    leave_corner();
+  }
 }
 
 void LookAhead::end(Clause why) {
   while (!held_.empty()) end_first(why);
+}
+
+void LookAhead::end_behind(Clause why) {
+  const std::uint64_t line = recorder_.line();
+  end(why);
+  recorder_.at(line);
 }
 
 void LookAhead::end_before(Step& now, Clause why) {
@@ -114,7 +145,8 @@ void LookAhead::end_before(Step& now, Clause why) {
 }
 
 void LookAhead::end_without_vector(Step& now, Clause why) {
-  decide_held(now);
+  now.clauses.add(recorder_.take_clauses());
+  recorder_.at(held_.front().step.line);
   recorder_.decide(why, true);
   held_.front().checked = false;
   release({SpaceVector{}});
@@ -221,6 +253,14 @@ void LookAhead::keep(Step& now) {
   held_.back().between.push_back(std::move(now));
 }
 
+// The head is no longer one of the corner where the vector was made.
+void LookAhead::leave_corner() {
+  if (held_.empty() || !held_.back().met)
+    set_vector({here_.front().vector});
+  else
+    held_.back().leaves_corner = true;
+}
+
 void LookAhead::moved(const CutterOffset& offset) {
   last_ = offset;
   started_.reset();
@@ -288,11 +328,6 @@ void LookAhead::insert_corner_moves(Step& step) {
 void LookAhead::emit(Step& step) {
   step.clauses.add(recorder_.take_clauses());
   output_(step);
-}
-
-void LookAhead::decide_held(Step& now) {
-  now.clauses.add(recorder_.take_clauses());
-  recorder_.at(held_.front().step.line);
 }
 
 void LookAhead::raise_held(Clause clause, AlarmCause cause) {

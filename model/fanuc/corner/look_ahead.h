@@ -3,7 +3,8 @@
 //
 //   hold       A block that makes a vector at its end is held. Those behind it that make none wait with it, and count.
 //   meet       A block that moves at the corner of a block held makes the group of vectors there: the one held is
-//              released. One that does not move there counts; two of them end it without a corner.
+//              released. One that does not move there counts; to a limit, which ends it without a corner.
+//              Where an earlier one still waits, the corner is known, and made when its turn comes.
 //   release    The block is checked between the group at its start and that at its end, which may drop vectors of both.
 //              With that the group at its start is final, and what waited for it goes out; the block itself, now with
 //              its first head, waits for the group at its end, and the blocks behind it with it.
@@ -33,6 +34,10 @@
 
 namespace toolcomp::model {
 
+// How many blocks are read at a time in the mode, the one before a corner included: No. 19625 of the 30i, else 3.
+// Clauses: fanuc.cutter-c.two-non-motion-blocks, fanuc.tool-side.look-ahead.
+int blocks_read(const spec::Setup& setup);
+
 enum class CornerMode : std::uint8_t {
   off,
   waiting,  // a code in force, and no start-up block yet
@@ -60,8 +65,8 @@ class CornerSection {
 struct Meeting {
   std::vector<bool> moves;  // whether it moves there, in order
   int counts = 1;           // where it does not
-  Clause two_of_them{};     // by which a block ends without a corner where those behind it count two
-  // The group there; of a block that stands the one vector.
+  Clause too_many{};        // by which a block ends without a corner where those behind it count to the limit
+  // The group there; of a block that stands the one vector. It may be asked later, so it keeps what it needs.
   std::function<SpaceGroup(Held& held, std::size_t corner)> group;
 };
 
@@ -76,6 +81,7 @@ class LookAhead {
     Between between{};
     Clause one_between{};
     Clause no_next_block{};
+    int limit = 2;  // a block ends without a corner where those behind it that do not move count so many
     // What parameters change of the interference check; none: they do not concern the section.
     struct Interference {
       bool keeps_vectors = false;  // the first pair that interferes is the last one
@@ -87,6 +93,7 @@ class LookAhead {
   LookAhead(const Stage::Place& place, CornerSection& section, const Rules& rules);
 
   CornerMode mode = CornerMode::off;
+  [[nodiscard]] int limit() const { return rules_.limit; }
   // There is a vector, or a block that makes one.
   [[nodiscard]] bool in_mode() const { return mode == CornerMode::on || mode == CornerMode::leaving; }
 
@@ -115,9 +122,14 @@ class LookAhead {
   // What is held is a block that moves. It ends where it is programmed to, unchecked for interference, because of `now`
   // (clause `why`).
   void end_without_vector(Step& now, Clause why);
+  // The same behind a step that has been taken.
+  void end_behind(Clause why);
 
   // Makes no vector: runs with the last one, behind what is held.
   void keep(Step& now);
+  // The block that runs next, or the last one kept, made a corner and makes no vector: from there on the last vector is
+  // one of no corner.
+  void leave_corner();
   // A block of the mode has moved, and made no vector at its end.
   void moved(const CutterOffset& offset);
   // The vector is another one from here on, without a move; the mode goes on, and no start is at hand.
@@ -139,12 +151,12 @@ class LookAhead {
 
  private:
   [[nodiscard]] const CornerBlock& said(const Step& step) const;
-  // The clauses applied so far belong to this step; those from here on to the first of those held.
-  void decide_held(Step& now);
   // The move of a block that an alarm of geometry names.
   [[nodiscard]] std::shared_ptr<const Event> unmade(const Step& step) const;
   void end(Clause why);
   void end_first(Clause why);
+  // The first of those held, and those behind it, as far as their corners are known.
+  void release_met();
   void release(SpaceGroup at_end);
   // What the interference check leaves of a block.
   Passage check(const Held& held, SpaceGroup& at_end, ToolArcRun* run);

@@ -23,12 +23,12 @@ bool has_side_word(const CutterBlock& block) { return block.code && *block.code 
 
 }  // namespace
 
-// fanuc.cutter-c.one-non-motion-block: With a count of one between A and B the group is made as if the block were not
-// there; it runs at the first head, before the corner moves.
+// fanuc.cutter-c.one-non-motion-block: With a smaller count between A and B than fanuc.cutter-c.two-non-motion-blocks
+// has (one, on the 30i more by No. 19625) the group is made as if the blocks between were not there; they run at the
+// first head, before the corner moves.
 // fanuc.cutter-c.no-next-block: A, a start-up block too, ends with P1 as well where there is no B to make a corner
-// with: the end of the program, a block that raises an alarm when it is read or leaves the run undecided, G39, G53 with
-// axis words under G90, G29 with axis words, G28 G30 G30.1 with axis words (but fanuc.cutter-c.reference-intersection),
-// lone G40 and lone number 0.
+// with: the end of the program, a block that raises an alarm when it is read or leaves the run undecided, G39, G29 with
+// axis words, G28 G30 G30.1 with axis words (but fanuc.cutter-c.reference-intersection), lone G40 and lone number 0.
 CutterCompensationC::CutterCompensationC(const Place& place)
     : CutterCompensation(place),
       rules_(place.setup, place.recorder),
@@ -37,7 +37,7 @@ CutterCompensationC::CutterCompensationC(const Place& place)
       keeps_the_mode_(place.setup.bit(5003, 2)),
       ahead_(place, *this,
              {LookAhead::Between::at_first_head, Clause::fanuc_cutter_c_one_non_motion_block,
-              Clause::fanuc_cutter_c_no_next_block,
+              Clause::fanuc_cutter_c_no_next_block, blocks_read(place.setup) - 1,
               LookAhead::Rules::Interference{
                   .keeps_vectors = place.setup.series == spec::Series::series_30i && place.setup.bit(5008, 3),
                   .no_alarm = place.setup.bit(5008, 1)}}) {}
@@ -91,10 +91,16 @@ void CutterCompensationC::take(const Step& step) {
     now.clauses.add(recorder().take_clauses());
     drop_lone_start();
   }
+  // fanuc.cutter-c.look-ahead-stopped: Nothing is read beyond a block with G53, whatever its words, or an M code that
+  // stops reading ahead (fanuc.program.stops-reading-ahead) before it has run.
+  const bool stops = now.stops_look_ahead || block.one_shot == OneShot::machine_coordinates;
+  const bool may_be_next = moves || block.motion == PlaneMotion::reference;
+  if (stops && !may_be_next) ahead_.end_before(now, Clause::fanuc_cutter_c_look_ahead_stopped);
   if (ahead_.in_mode() || ahead_.holds(Held::Kind::lone_start))
     take_while_on(now, wanted, moves);
   else
     take_while_off(now, wanted, moves);
+  if (stops) ahead_.end_behind(Clause::fanuc_cutter_c_look_ahead_stopped);
 }
 
 void CutterCompensationC::finish() { ahead_.end(); }
@@ -126,10 +132,11 @@ void CutterCompensationC::take_while_off(Step& now, bool wanted, bool moves) {
 void CutterCompensationC::drop_lone_start() {
   const std::uint64_t line = recorder().line();
   recorder().at(ahead_.held().front().step.line);
-  // fanuc.cutter-c.start-without-next-block: Where no B follows the G41 or G42 of SUV = 1 (a count of two, one of the
-  // cases of fanuc.cutter-c.no-next-block, G28 included, G52 or G92 of the plane, or a block in which the mode is not
-  // asked for any more, the cancel block too) no vector is made: the mode is off, and the next moving block, if G41 or
-  // G42 is still in force, is a start-up block.
+  // fanuc.cutter-c.start-without-next-block: Where no B follows the G41 or G42 of SUV = 1 (a count of
+  // fanuc.cutter-c.two-non-motion-blocks, one of the cases of fanuc.cutter-c.no-next-block, G28 included, a block that
+  // stops reading ahead, G52 or G92 of the plane, or a block in which the mode is not asked for any more, the cancel
+  // block too) no vector is made: the mode is off, and the next moving block, if G41 or G42 is still in force, is a
+  // start-up block.
   recorder().reach(Clause::fanuc_cutter_c_start_without_next_block);
   ahead_.pass();
   recorder().at(line);
@@ -149,6 +156,8 @@ void CutterCompensationC::take_while_on(Step& now, bool wanted, bool moves) {
   } else if (!wanted) {
     if (moves)
       take_cancel(now);
+    else if (ahead_.mode == CornerMode::leaving && block.motion == PlaneMotion::zero_travel)
+      cancel_by_zero_travel(now);
     else if (ahead_.mode == CornerMode::on)
       cancel_alone(now);
     else
@@ -197,10 +206,11 @@ void CutterCompensationC::take_without_motion(Step& now) {
   // fanuc.cutter-c.non-motion-count: Between two moving blocks every block that does not move in the plane counts one:
   // M, S, T, F, G04, G10, other G codes, axes outside the plane, D or H alone, O alone, G41 or G42 alone.
   if (block.is_block && !ahead_.held().empty())
-    counts =
-        recorder().decide(Clause::fanuc_cutter_c_non_motion_count, block.motion == PlaneMotion::zero_travel) ? 2 : 1;
+    counts = recorder().decide(Clause::fanuc_cutter_c_non_motion_count, block.motion == PlaneMotion::zero_travel)
+                 ? ahead_.limit()
+                 : 1;
   if (ahead_.holds(Held::Kind::lone_start) && has_side_word(block) &&
-      ahead_.held().front().without_movement + counts >= 2) {
+      ahead_.held().front().without_movement + counts >= ahead_.limit()) {
     // The look-ahead ends here without a moving block; the code has one of its own.
     now.clauses.add(recorder().take_clauses());
     drop_lone_start();
@@ -256,6 +266,15 @@ void CutterCompensationC::cancel_alone(Step& now) {
   ahead_.cancel_alone(now, has_vector, removes);
 }
 
+// Nothing is held: the lone G40 before it has seen to that.
+void CutterCompensationC::cancel_by_zero_travel(Step& now) {
+  // fanuc.cutter-c.cancel-by-zero-travel: Behind a lone G40 or number 0 of SUV = 0 a block with an axis word of the
+  // plane whose way is 0 is a move command: it is the cancel block, the vector goes, and the tool ends on the
+  // programmed point; cause cancel.
+  recorder().reach(Clause::fanuc_cutter_c_cancel_by_zero_travel);
+  ahead_.take_away(now);
+}
+
 // Beside G52 and G92 the only move there can be is that of the length offset (clause fanuc.cutter-c.workpiece-change).
 void CutterCompensationC::see_move_alone(Step& step, bool changes) const {
   const CutterBlock& block = said(step);
@@ -275,8 +294,9 @@ void CutterCompensationC::end_standing(Clause why) {
   }
   const bool too_far = why == Clause::fanuc_cutter_c_two_non_motion_blocks;
   // fanuc.cutter-c.corner-arc-without-next-block: G39 without letters that meets one of the cases of
-  // fanuc.cutter-c.no-next-block before a moving block makes no arc and keeps the vector; a count of two behind it
-  // leaves the run undecided at the G39 block, the blocks before it given as if it were absent.
+  // fanuc.cutter-c.no-next-block before a moving block makes no arc and keeps the vector; a count of
+  // fanuc.cutter-c.two-non-motion-blocks behind it leaves the run undecided at the G39 block, the blocks before it
+  // given as if it were absent.
   if (recorder().decide(Clause::fanuc_cutter_c_corner_arc_without_next_block, too_far)) {
     LeftOpen open(Clause::fanuc_cutter_c_corner_arc_without_next_block,
                   "two blocks without motion behind a G39 without direction");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cutter compensation C: G40, G41, G42 and G39. One stage with a look-ahead of one moving block and one other.
+// Cutter compensation C: G40, G41, G42 and G39. One stage with a look-ahead of one moving block and
+// some others.
 //
 // A block that moves in the plane is held (corner/look_ahead.h) until the next one is known: one corner at most is
 // open.
@@ -20,7 +21,7 @@ class CutterCompensationC final : public CutterCompensation, private CornerSecti
  public:
   explicit CutterCompensationC(const Place& place);
 
-  [[nodiscard]] int look_ahead() const override { return 2; }
+  [[nodiscard]] int look_ahead() const override { return ahead_.limit(); }
   [[nodiscard]] bool on() const override { return ahead_.mode != CornerMode::off; }
   // In the mode: it is then an arc without a sweep, and PS0038.
   [[nodiscard]] bool takes_arc_about_its_start(const Command& command) const override { return on_after(command); }
@@ -42,6 +43,7 @@ class CutterCompensationC final : public CutterCompensation, private CornerSecti
   // G52 or G92 of the plane, before what else the block does.
   void take_vector_for_a_time(Step& now);
   void cancel_alone(Step& now);
+  void cancel_by_zero_travel(Step& now);
   void drop_lone_start();
   // A block of the mode or a cancel block moves at the corner before it; `path`, with its offset.
   void meet_corner(Step& now, const OffsetPath& path, const CutterOffset& offset);

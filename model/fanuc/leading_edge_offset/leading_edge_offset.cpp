@@ -25,8 +25,8 @@ std::shared_ptr<StageWords> LeadingEdgeOffset::read(const StageCommand& now) {
   number_ = number(command);
   auto block = std::make_shared<EdgeBlock>();
   if (codes.compensation == Compensation::leading_edge) {
-    // fanuc.leading-edge.start-format: An axis word (I J K under G43.5 included), M00, M01, M02 or M30 in the G41.3
-    // block raises PS5406.
+    // fanuc.leading-edge.start-format: An axis word (I J K under G43.5 included), or an M code that stops reading ahead
+    // (fanuc.program.stops-reading-ahead), in the G41.3 block raises PS5406.
     if (now.moves() || codes.stops_look_ahead)
       raise(recorder(), Clause::fanuc_leading_edge_start_format, AlarmCause::leading_edge_format);
     // fanuc.leading-edge.start-in-arc-mode: G41.3 while G02 or G03 is in force raises PS5408.
@@ -143,8 +143,8 @@ void LeadingEdgeOffset::take_other(const Step& step) {
   const auto counted = std::ranges::count_if(behind_, [](const Step& s) { return s.has_word; });
   if (!step.stops_look_ahead && counted < 2) return;
   decide_held();
-  // fanuc.leading-edge.kept-without-look-ahead: Before a block that stops the look-ahead (M00 M01 M02 M30), the cancel
-  // block included, the vector made before is kept.
+  // fanuc.leading-edge.kept-without-look-ahead: Before a block that stops the look-ahead (an M code of
+  // fanuc.program.stops-reading-ahead), the cancel block included, the vector made before is kept.
   // fanuc.leading-edge.two-blocks-without-movement: With two or more blocks without movement in a row the vector made
   // before is kept: the moving block before them ends with the vector it started with. What exactly is kept is our
   // reading.

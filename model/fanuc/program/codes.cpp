@@ -207,7 +207,20 @@ class Reader {
   bool high_speed_ = false;  // P10000 stands in the block
 };
 
-void read_m(const spec::Decimal& value, Codes& codes) {
+// Whether a parameter says so of an M code; one that is not given is 0.
+bool is_stop_by_parameter(const Rational& code, const spec::Setup& setup) {
+  const auto value = [&](std::uint32_t number) {
+    const std::optional<spec::Decimal> given = setup.parameter(number);
+    return given ? plain(*given) : Rational(0);
+  };
+  for (std::uint32_t number = 3411; number <= 3420; ++number)
+    if (code == value(number)) return true;
+  for (std::uint32_t first = 3421; first <= 3431; first += 2)
+    if (value(first) <= code && code <= value(first + 1)) return true;
+  return false;
+}
+
+void read_m(const spec::Decimal& value, const spec::Setup& setup, Codes& codes, Recorder& recorder) {
   codes.auxiliary = true;
   switch (value.digits) {
     case 2:
@@ -226,6 +239,13 @@ void read_m(const spec::Decimal& value, Codes& codes) {
       break;
     default:
       break;
+  }
+  // fanuc.program.stops-reading-ahead: M00, M01, M02 and M30 stop the control from reading ahead, and so does each M
+  // code that one of No. 3411 to 3420 names, or that lies between the two of a pair of 3421 and 3422, 3423 and 3424, up
+  // to 3431 and 3432, the first and the last one.
+  if (!codes.stops_look_ahead && is_stop_by_parameter(plain(value), setup)) {
+    recorder.reach(Clause::fanuc_program_stops_reading_ahead);
+    codes.stops_look_ahead = true;
   }
 }
 
@@ -284,7 +304,7 @@ Codes read_codes(const spec::Block& block, const Words& words, const spec::Setup
       // fanuc.program.unknown-code: A G code that does not exist or is not supported raises PS0010.
       if (!code || !reader.read(*code)) raise_unknown(recorder, code);
     } else if (word.address == 'M') {
-      read_m(word.value, codes);
+      read_m(word.value, setup, codes, recorder);
     } else if (word.address == 'S' || word.address == 'T') {
       codes.auxiliary = true;
     }

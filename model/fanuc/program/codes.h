@@ -109,7 +109,7 @@ struct Codes {
   bool letters_are_data = false;             // of G04 G05 G05.1 G10 G22 G50.1: axis letters, I J K
   std::optional<std::uint32_t> h;            // offset numbers
   std::optional<std::uint32_t> d;
-  bool stops_look_ahead = false;  // M00 M01 M02 M30
+  bool stops_look_ahead = false;  // M00 M01 M02 M30, and M codes of parameters
   bool ends_program = false;      // M02 M30
   bool auxiliary = false;         // an M, S or T word
   bool calls = false;             // M98

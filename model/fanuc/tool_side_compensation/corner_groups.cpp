@@ -18,21 +18,21 @@ SpaceGroup ToolSideCompensation::vector_of_start(const Held& held, const SideEnd
   return square_to_latter(corner_plane_, start);
 }
 
-SpaceGroup ToolSideCompensation::group_before(const Held& held, const Step& now, const SidePath& next,
-                                              const SideEnd& start, const CutterOffset& offset) {
+SpaceGroup ToolSideCompensation::group_before(const Held& held, const NextBlock& next) {
   const HeldSidePath& former = side_path_of(held);
   SideCase given{.starts = held.kind == Held::Kind::start_up,
-                 .cancels = !said(now).wanted(),
-                 .side_changes = held.offset.side != offset.side,
+                 .cancels = next.cancels,
+                 .side_changes = held.offset.side != next.offset.side,
                  .repeated = held.repeated,
                  .distance = held.offset.distance,
-                 .next = next};
+                 .next = next.path};
   if (!given.starts && !given.cancels) given.treatment = said(held.step).treatment.value_or(0);
   // fanuc.cutter-c.value-at-a-corner: A new number or value counts for the vectors at the end of the moving block that
   // holds it, or of the next moving block where its block does not move.
-  if (!given.cancels) recorder().decide(Clause::fanuc_cutter_c_value_at_a_corner, offset.value != held.offset.value);
+  if (!given.cancels)
+    recorder().decide(Clause::fanuc_cutter_c_value_at_a_corner, next.offset.value != held.offset.value);
 
-  auto group = rules_.group({former.plane, former.end, start}, given);
+  auto group = rules_.group({former.plane, former.end, next.start}, given);
   // fanuc.cutter-c.no-intersection: An inner corner with an arc, R' >= 0, whose offset paths do not meet raises PS0033.
   // It names A: neither A nor a corner move of A is given, the blocks before are given as computed with A present.
   if (!group) ahead_.raise_held(Clause::fanuc_cutter_c_no_intersection, AlarmCause::no_intersection);
@@ -40,7 +40,7 @@ SpaceGroup ToolSideCompensation::group_before(const Held& held, const Step& now,
   // fanuc.tool-side.plane-change-alarm: Where all three hold PS0041 is raised; OVERCUT_PLANE_CHANGE is our name for
   // this cause of it. The alarm list of this control has P/S0041, the text PS0272, a number of a sister control.
   if (in_mode && former.end.offset != 0 && given.treatment == 0 &&
-      plane_change_.interferes({former.path.travel, former.plane.tool()}, {next.travel, now.rest.tool}))
+      plane_change_.interferes({former.path.travel, former.plane.tool()}, {next.path.travel, next.tool}))
     ahead_.raise_held(Clause::fanuc_tool_side_plane_change_alarm, AlarmCause::interference);
   return rules_.in_plane(std::move(*group));
 }

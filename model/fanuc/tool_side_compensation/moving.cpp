@@ -55,7 +55,8 @@ ToolSideCompensation::Movement ToolSideCompensation::movement_of(const Step& now
   movement.path.travel = leg.travel;
   if (leg.arc) {
     movement.path.arc = arc_of(leg, said(now).radius, axes_);
-    for (auto& start : movement.starts) start.emplace();
+    for (std::size_t i = 0; i < movement.starts.size(); ++i)
+      if (!ahead_.held()[i].met) movement.starts[i].emplace();
     movement.end.emplace();
     return movement;
   }
@@ -64,8 +65,9 @@ ToolSideCompensation::Movement ToolSideCompensation::movement_of(const Step& now
     return crosses_tool(plane, line) ? std::optional(std::move(line)) : std::nullopt;
   };
   const std::deque<Held>& held = ahead_.held();
-  for (std::size_t i = 0; i < held.size(); ++i) movement.starts[i] = seen_in(side_path_of(held[i]).plane);
-  const bool same = !held.empty() && movement.own.is_same_as(side_path_of(held.back()).plane);
+  for (std::size_t i = 0; i < held.size(); ++i)
+    if (!held[i].met) movement.starts[i] = seen_in(side_path_of(held[i]).plane);
+  const bool same = !held.empty() && !held.back().met && movement.own.is_same_as(side_path_of(held.back()).plane);
   movement.end = same ? movement.starts.back() : seen_in(movement.own);
   return movement;
 }
@@ -120,13 +122,14 @@ void ToolSideCompensation::look_at_arc(Step& now, Movement& movement) {
   constexpr const char* kOnEdge = "an arc whose plane holds the tool";
   SideArc& arc = *movement.path.arc;
   for (std::size_t i = 0; i < movement.starts.size(); ++i) {
+    if (!movement.starts[i]) continue;
     arc.sense_at_start = sense(side_path_of(ahead_.held()[i]).plane.tool(), arc.plane);
     if (arc.sense_at_start == 0) ahead_.leave_open_at(now, Clause::fanuc_tool_side_arc_plane, kOnEdge);
     movement.starts[i] = arc_start(arc, 0);
   }
   arc.sense_at_end = sense(movement.own.tool(), arc.plane);
   if (arc.sense_at_end == 0) ahead_.leave_open_at(now, Clause::fanuc_tool_side_arc_plane, kOnEdge);
-  if (movement.starts.empty()) arc.sense_at_start = arc.sense_at_end;
+  if (movement.starts.empty() || !movement.starts.back()) arc.sense_at_start = arc.sense_at_end;
   movement.end = arc_end(arc, 0);
   if (leans(before_, arc.plane) || leans(movement.own.tool(), arc.plane)) {
     Warning warning{"ARC_PLANE_MISMATCH", "the tool does not stand at right angles to the plane of the arc", {}};

@@ -14,7 +14,7 @@ struct ToolSideBlock final : CornerBlock {
   bool leaves_the_path = false;   // a code of group 00
   bool refused_while_on = false;  // G54–G59, G20, G21 and the like
   bool auxiliary = false;         // an M, S or T word
-  bool stops_look_ahead = false;  // M00 M01 M02 M30
+  bool stops_look_ahead = false;  // an M code that does
   bool moves = false;             // an axis word, I J K under G43.5 included
   bool arc_mode = false;          // G02 or G03 in force
 

@@ -18,8 +18,8 @@ bool is_zero_vector(const Vector& v) {
 }  // namespace
 
 // fanuc.tool-side.one-block-without-movement: With one block between A and B that does not move in the plane at the end
-// of A (a rotation alone, a movement along the tool) the group is made of A and B in that plane, of VT before the block
-// between.
+// of A (a rotation alone, a movement along the tool), on the 30i also with more of them (fanuc.tool-side.look-ahead),
+// the group is made of A and B in that plane, of VT before the first block between.
 // fanuc.tool-side.no-next-block: A, a start-up block too, also ends with the vector perpendicular to it where there is
 // no B: at the end of the program, before a block that raises an alarm when it is read or leaves the run undecided, and
 // before G40 or number 0 in a block that does not move in the plane at the end of A.
@@ -33,7 +33,7 @@ ToolSideCompensation::ToolSideCompensation(const Place& place)
       type_c_(place.setup.bit(5003, 1)),
       ahead_(place, *this,
              {LookAhead::Between::at_last_head, Clause::fanuc_tool_side_one_block_without_movement,
-              Clause::fanuc_tool_side_no_next_block}) {}
+              Clause::fanuc_tool_side_no_next_block, blocks_read(place.setup) - 1}) {}
 
 void ToolSideCompensation::refuse_rotary_word(const Command& command) const {
   // fanuc.tool-side.rotary-word: A rotary axis word in a block under G43.5 raises PS5460 where tool side compensation
@@ -88,9 +88,9 @@ void ToolSideCompensation::check_type_c(const ToolSideBlock& words, bool starts,
   if (!type_c_ || !(starts || cancels)) return;
   // fanuc.tool-side.type-c-format: TYPE_C_FORMAT (a name of ours, the number is not known) at a block of type C that
   // makes or removes the vector: with an axis word, linear or rotary (I J K under G43.5 included); in G02 or G03; and,
-  // where it makes the vector, with M00, M01, M02 or M30, or where the block right after it does not move in the plane
-  // of VT before that block (its own end does not matter), cancels, raises an alarm of its own (DIR_CHANGE_AT_STARTUP
-  // and PS0038 too), leaves the run undecided or is not there.
+  // where it makes the vector, with an M code that stops reading ahead (fanuc.program.stops-reading-ahead), or where
+  // the block right after it does not move in the plane of VT before that block (its own end does not matter), cancels,
+  // raises an alarm of its own (DIR_CHANGE_AT_STARTUP and PS0038 too), leaves the run undecided or is not there.
   if (words.moves || words.arc_mode || (starts && words.stops_look_ahead))
     raise(recorder(), Clause::fanuc_tool_side_type_c_format, AlarmCause::type_c_format);
 }
@@ -108,8 +108,8 @@ void ToolSideCompensation::take(const Step& step) {
   // stays on.
   const bool wanted = in_force && !recorder().decide(Clause::fanuc_cutter_c_number_zero, block.number == 0);
   const Direction tool = now.rest.tool;
-  // fanuc.tool-side.look-ahead-stopped: M00, M01, M02 and M30 stop the look-ahead: A, a start-up block too, ends with
-  // the vector perpendicular to it.
+  // fanuc.tool-side.look-ahead-stopped: An M code that stops reading ahead (fanuc.program.stops-reading-ahead) stops
+  // the look-ahead: A, a start-up block too, ends with the vector perpendicular to it.
   if (now.stops_look_ahead) ahead_.end_before(now, Clause::fanuc_tool_side_look_ahead_stopped);
   Movement movement;
   if (wanted || ahead_.in_mode()) movement = movement_of(now);
@@ -178,27 +178,29 @@ void ToolSideCompensation::take_in_mode(Step& now, Movement& movement) {
   }
   if (movement.moves()) ahead_.moved(offset);
   const bool cuts_corner = movement.moves_behind();
-  const bool runs = ahead_.held().empty();
+  const bool is_next = ahead_.held().empty() || ahead_.held().back().met;
   // fanuc.tool-side.along-the-tool-at-its-end: A block that is B of a corner but does not move in the plane at its own
   // end (the tool turns in it so that the displacement is along it there, or shorter than 19630 as seen there) has no
   // vector made there: it ends with the last vector at its start, and the next block that moves at its own end starts
   // from it, without a corner.
   if (cuts_corner) recorder().reach(Clause::fanuc_tool_side_along_the_tool_at_its_end);
   ahead_.keep(now);
-  if (cuts_corner && runs) leave_corner();
+  if (cuts_corner && is_next) ahead_.leave_corner();
 }
 
 void ToolSideCompensation::meet_corners(Step& now, const Movement& movement, const CutterOffset& offset) {
   const bool cancels = !said(now).wanted();
   // fanuc.tool-side.two-blocks-without-movement: As soon as two blocks that do not move in the plane at the end of A
-  // follow it, A ends with the vector perpendicular to it, and so does a start-up block: there is no corner.
+  // follow it (on the 30i N - 1, fanuc.tool-side.look-ahead), A ends with the vector perpendicular to it, and so does a
+  // start-up block: there is no corner.
   const Clause why =
       cancels ? Clause::fanuc_tool_side_no_next_block : Clause::fanuc_tool_side_two_blocks_without_movement;
-  const auto group = [&](Held& held, std::size_t corner) {
+  const auto group = [this, cancels, tool = now.rest.tool, movement, offset](Held& held, std::size_t corner) {
     const SideEnd& start = *movement.starts[corner];
-    return held.stands() ? vector_of_start(held, start) : group_before(held, now, movement.path, start, offset);
+    return held.stands() ? vector_of_start(held, start)
+                         : group_before(held, {cancels, tool, movement.path, start, offset});
   };
-  ahead_.meet(now, {movement.corners(), cancels ? 2 : 1, why, group});
+  ahead_.meet(now, {movement.corners(), cancels ? ahead_.limit() : 1, why, group});
 }
 
 void ToolSideCompensation::take_cancel(Step& now, Movement& movement) {
@@ -229,11 +231,8 @@ void ToolSideCompensation::cancel_alone(Step& now, bool cuts_corner) {
   recorder().reach(at_once ? Clause::fanuc_tool_side_cancel_type_c : Clause::fanuc_tool_side_cancel_without_movement);
   if (cuts_corner && !at_once) recorder().reach(Clause::fanuc_tool_side_along_the_tool_at_its_end);
   ahead_.cancel_alone(now, has_vector, at_once);
-  if (cuts_corner && !at_once) leave_corner();
+  if (cuts_corner && !at_once) ahead_.leave_corner();
 }
-
-// The head is no longer one of the corner where the vector was made.
-void ToolSideCompensation::leave_corner() { ahead_.set_vector({ahead_.here().front().vector}); }
 
 void ToolSideCompensation::hold(Step& now, Held::Kind kind, const CutterOffset& offset, const Movement& movement) {
   auto held = std::make_shared<HeldSidePath>();
@@ -241,7 +240,7 @@ void ToolSideCompensation::hold(Step& now, Held::Kind kind, const CutterOffset& 
   held->path = movement.path;
   if (movement.end) held->end = *movement.end;
   if (const auto& arc = movement.path.arc) {
-    const bool at_corner = !movement.starts.empty();
+    const bool at_corner = !movement.starts.empty() && movement.starts.back();
     held->plane_at_start = corner_plane_;
     held->offset_at_start = offset.side * ahead_.last_offset().distance;
     const CompensationPlane& plane = at_corner ? corner_plane_ : movement.own;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tool side compensation: G41.2 G42.2, under G43.5 G41.6 G42.6, and G40. One stage with a look-ahead of two blocks.
+// Tool side compensation: G41.2 G42.2, under G43.5 G41.6 G42.6, and G40. One stage with a look-ahead of some blocks.
 //
 // A block that moves in the plane at its own end is held (corner/look_ahead.h) until the next one that moves in that
-// plane is known. Whether a block moves is asked at each corner by itself, so two of them may be open.
+// plane is known. Whether a block moves is asked at each corner by itself, so several of them may be open.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,7 @@ class ToolSideCompensation final : public StageOf<ToolSideBlock>, private Corner
   explicit ToolSideCompensation(const Place& place);
 
   [[nodiscard]] Extent extent() const override { return Extent::space; }
-  [[nodiscard]] int look_ahead() const override { return 4; }
+  [[nodiscard]] int look_ahead() const override { return 2 * ahead_.limit(); }
   [[nodiscard]] bool on() const override { return ahead_.mode != CornerMode::off; }
   [[nodiscard]] bool on_after(const Command& command) const override { return words_.wanted(command); }
   // Throws Alarm PS5460.
@@ -49,7 +49,7 @@ class ToolSideCompensation final : public StageOf<ToolSideBlock>, private Corner
     SidePath path;
     CompensationPlane own;  // at its end
     // How it leaves the corners at the ends of the blocks held, in order; nothing where it does not move in the plane
-    // there. Of an arc once the tool's view of it is known.
+    // there, or the corner is known. Of an arc once the tool's view of it is known.
     std::vector<std::optional<SideEnd>> starts;
     std::optional<SideEnd> end;  // how it reaches its own end; nothing where it does not move in the plane there
 
@@ -69,7 +69,6 @@ class ToolSideCompensation final : public StageOf<ToolSideBlock>, private Corner
   void meet_corners(Step& now, const Movement& movement, const CutterOffset& offset);
   // `cuts_corner`: the block makes no vector at its own end, and was the outgoing leg of a corner before it.
   void cancel_alone(Step& now, bool cuts_corner);
-  void leave_corner();
   void hold(Step& now, Held::Kind kind, const CutterOffset& offset, const Movement& movement);
   void end_standing(Clause why) override;
   void released(const Held& held) override;
@@ -85,8 +84,15 @@ class ToolSideCompensation final : public StageOf<ToolSideBlock>, private Corner
   // corner_groups.cpp: the vectors at the end of a block held.
   [[nodiscard]] SpaceGroup without_corner(const Held& held) override;
   [[nodiscard]] SpaceGroup vector_of_start(const Held& held, const SideEnd& start);
-  [[nodiscard]] SpaceGroup group_before(const Held& held, const Step& now, const SidePath& next, const SideEnd& start,
-                                        const CutterOffset& offset);
+  // Block B of a corner.
+  struct NextBlock {
+    bool cancels;
+    const Direction& tool;  // at its end
+    const SidePath& path;
+    const SideEnd& start;
+    const CutterOffset& offset;
+  };
+  [[nodiscard]] SpaceGroup group_before(const Held& held, const NextBlock& next);
 
   ToolSideWords words_;
   SideRules rules_;

@@ -76,10 +76,25 @@ Definition last_of (group codes : list Z) : option Z := find (fun code => among 
 Definition action_of (codes : list Z) : option action :=
   match last_of (map fst actions) codes with Some code => lookup code actions | None => None end.
 
-(** Blocks that nothing is read behind before they have run: M00, M01, M02 and M30. *)
-Definition stops_look_ahead {num} (b : block num) : bool :=
-  existsb (fun w => match address w, tenths w with Letter.M, Some t => among t [0; 10; 20; 300] | _, _ => false end)
+(** fanuc.program.stops-reading-ahead: M00, M01, M02 and M30, and the M codes of parameters; one that is not given is 0. *)
+Definition stopping_codes :=
+  ["3411"; "3412"; "3413"; "3414"; "3415"; "3416"; "3417"; "3418"; "3419"; "3420"].
+Definition stopping_ranges :=
+  [("3421", "3422"); ("3423", "3424"); ("3425", "3426"); ("3427", "3428"); ("3429", "3430"); ("3431", "3432")].
+Definition is_stopping_code {num} (s : setup num) (code : Z) : bool :=
+  let given number := or_else (whole_parameter s number) 0 in
+  among code [0; 1; 2; 30] || existsb (fun number => code =? given number) stopping_codes ||
+  existsb (fun range => (given (fst range) <=? code) && (code <=? given (snd range))) stopping_ranges.
+Definition stops_look_ahead {num} (s : setup num) (b : block num) : bool :=
+  existsb (fun w => match address w, whole w with Letter.M, Some code => is_stopping_code s code | _, _ => false end)
     (words b).
+
+(** fanuc.cutter-c.two-non-motion-blocks, fanuc.tool-side.look-ahead: how many blocks are read at a time in the mode of a
+    compensation, the one before a corner included: three on the 16i, by No. 19625 on the 30i, never fewer. One less end
+    that block where they do not move. *)
+Definition blocks_read {num} (s : setup num) : Z :=
+  if series_30i s then Z.max 3 (or_else (whole_parameter s "19625") 3) else 3.
+Definition idle_limit {num} (s : setup num) : Z := blocks_read s - 1.
 
 (** fanuc.program.letters-as-data: axis letters and I J K are data of these codes, not positions. *)
 Definition takes_letters (codes : list Z) : bool := existsb (fun code => among code [40; 50; 51; 100; 220; 501]) codes.

@@ -30,16 +30,20 @@ Definition repeats {num} (b : planned num) : bool :=
   | _, _ => false
   end.
 
-(** fanuc.cutter-c.one-non-motion-block, fanuc.cutter-c.two-non-motion-blocks: past a count of one, not of two.
-    fanuc.cutter-c.no-next-block: what there is no corner with.
+Definition stops {num} (s : setup num) (b : planned num) : bool := stops_reading s (command_of b).
+
+(** fanuc.cutter-c.one-non-motion-block, fanuc.cutter-c.two-non-motion-blocks: past so many blocks as are read.
+    fanuc.cutter-c.look-ahead-stopped, fanuc.cutter-c.no-next-block: what there is no corner with.
     fanuc.cutter-c.coordinate-shift: what takes the vector away. *)
-Fixpoint look {num} (count : Z) (repeated : bool) (bs : list (planned num)) : ahead num :=
+Fixpoint look {num} (s : setup num) (count : Z) (repeated : bool) (bs : list (planned num)) : ahead num :=
   match bs with
   | [] => NoNext
   | b :: rest =>
       let repeated := repeated || repeats b in
       match part_of b with
-      | Idle n => if count + n <? 2 then look (count + n) repeated rest else TooFar
+      | Idle n =>
+          if stops s b then NoNext
+          else if count + n <? idle_limit s then look s (count + n) repeated rest else TooFar
       | LoneStart => TooFar
       | StartUpBlock | ModeBlock | CancelBlock | WayBlock => Next b repeated
       | LoneCancel | MovesFree | CornerBlock | GoesAway => NoNext
@@ -48,6 +52,10 @@ Fixpoint look {num} (count : Z) (repeated : bool) (bs : list (planned num)) : ah
   end.
 Definition loses_vector {num} (rest : list (planned num)) : bool :=
   match look 0 false rest with NoVector => true | _ => false end.
+
+(** What is read behind a block before it has run. *)
+Definition beyond {num} (s : setup num) (b : planned num) (rest : list (planned num)) : list (planned num) :=
+  if stops s b then [] else rest.
 
 (** * Corners *)
 
@@ -124,7 +132,7 @@ Definition corner_group {num} {N : Numbers num} (s : setup num) (a b : planned n
     fanuc.cutter-c.coordinate-shift: before G52 or G92 of the plane it ends where it is programmed to. *)
 Definition group_at_end {num} {N : Numbers num} (s : setup num) (a : planned num) (rest : list (planned num)) :
     outcome (list (pair num)) :=
-  match look 0 false rest with
+  match look s 0 false (beyond s a rest) with
   | Next b repeated => group <- corner_group s a b repeated ;; thinned s b group
   | NoVector => Got [zero2]
   | NoNext | TooFar => Got [perpendicular (leg_behind s a)]
@@ -181,7 +189,7 @@ Definition corner_arc_c {num} {N : Numbers num} (s : setup num) (v : pair num) (
   let p := plane_of b in
   let rho := rho_of (cutter (before b)) in
   let no_arc := (at_head s p v (items b), [v]) in
-  direction <- match plane_letters s (command_of b), look 0 false rest with
+  direction <- match plane_letters s (command_of b), look s 0 false (beyond s b rest) with
                | Some u, _ => Got (Some u)
                | None, Next next _ => Got (Some (way (leg_before s next rho)))
                | None, NoNext | None, NoVector => Got None
@@ -206,7 +214,7 @@ Definition corner_arc_c {num} {N : Numbers num} (s : setup num) (v : pair num) (
 (** fanuc.cutter-c.start-without-motion: P2 of the next moving block, with the value of this one. *)
 Definition lone_start {num} {N : Numbers num} (s : setup num) (v : pair num) (b : planned num)
     (rest : list (planned num)) : outcome (list (item num) * list (pair num)) :=
-  let made := match look 0 false rest with
+  let made := match look s 0 false (beyond s b rest) with
               | Next next _ =>
                   match part_of next with
                   | ModeBlock => Some (perpendicular (leg_before s next (rho_of (cutter (behind b)))))

@@ -155,7 +155,7 @@ Proof.
   unfold group_at_end; intros Z H.
   assert (P : perpendicular (leg_behind s b) = zero2).
   { apply no_perpendicular. rewrite rho_behind. unfold rho_of. now rewrite Z, no_offset. }
-  destruct (look 0 false rest) as [next repeated| | |];
+  destruct (look s 0 false (beyond s b rest)) as [next repeated| | |];
     [|now apply same in H as <-; rewrite P|now apply same in H as <-|now apply same in H as <-; rewrite P].
   apply bound in H as (group & G & H). unfold corner_group in G. apply bound in G as (nothing & N & G).
   apply zero_sign in N. assert (nothing = true) as -> by now apply N. apply same in G as <-.
@@ -231,7 +231,7 @@ Proof.
   { apply no_perpendicular. now rewrite rho_before. }
   unfold block_c in H. destruct (part_of b) eqn:P; cbn [hd last] in H.
   - apply same in H. injection H as <- <-. split; [apply head_items_of_zero|reflexivity].
-  - unfold lone_start in H. destruct (look 0 false rest) as [next repeated| | |];
+  - unfold lone_start in H. destruct (look s 0 false (beyond s b rest)) as [next repeated| | |];
       [destruct (part_of next)|..]; try (apply same in H; injection H as <- <-; split;
         [apply head_items_of_zero|reflexivity]).
     rewrite (no_perpendicular (leg_before s next (rho_of (cutter (behind b))))) in H by now rewrite rho_before.

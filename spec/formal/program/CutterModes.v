@@ -75,8 +75,12 @@ Definition moves_in_plane {num} {N : Numbers num} (s : setup num) (c : command n
     Got (negb first || negb second)
   else Got false.
 
-(** fanuc.cutter-c.non-motion-count: one, with an axis word of the plane two. *)
-Definition idle_count {num} (s : setup num) (c : command num) : Z := if names_plane s c then 2 else 1.
+(** fanuc.cutter-c.non-motion-count: one, with an axis word of the plane as many as end the block before. *)
+Definition idle_count {num} (s : setup num) (c : command num) : Z := if names_plane s c then idle_limit s else 1.
+
+(** fanuc.cutter-c.look-ahead-stopped: nothing is read beyond an M code that says so, and G53. *)
+Definition stops_reading {num} (s : setup num) (c : command num) : bool :=
+  stops_look_ahead s (block_of c) || match acting c with Some MachinePosition => true | _ => false end.
 
 (** fanuc.cutter-c.arc-ends-in-center: an arc whose centre is its start or its end raises PS0038. *)
 Definition center_alarm {num} {N : Numbers num} (s : setup num) (before after : state num)
@@ -180,8 +184,10 @@ Definition moving_step {num} {N : Numbers num} (s : setup num) (c : command num)
 
 (** A block that does not move in the plane.
     fanuc.cutter-c.start-without-motion: SUV = 1 and the word G41 or G42.
-    fanuc.cutter-c.start-without-next-block: a count of two, or the mode not asked for any more, and nothing starts; the
-    word in the block that brings the count to two, or in G52 or G92 of the plane, starts anew.
+    fanuc.cutter-c.start-without-next-block: too many blocks, one that stops the look-ahead, or the mode not asked for any
+    more, and nothing starts; the word in the block that brings the count there, or in G52 or G92 of the plane, starts
+    anew.
+    fanuc.cutter-c.cancel-by-zero-travel: behind a lone G40 an axis word of the plane takes the vector away.
     fanuc.cutter-c.restart-before-removal, before
     fanuc.cutter-c.coordinate-shift: G52 or G92 of the plane takes the vector away, and the mode goes on. *)
 Definition idle_step {num} {N : Numbers num} (s : setup num) (c : command num) (asked : option hand) (value : num)
@@ -199,17 +205,19 @@ Definition idle_step {num} {N : Numbers num} (s : setup num) (c : command num) (
     Got (if given asked then (ShiftsPlane, TakenAway, zero2, reach x, was_left x)
          else (ShiftsPlane, Off, zero2, 0%num, true))
   else
+    let stays_off := (Idle n, Off, zero2, 0%num, true) in
     let starts hand :=
+      if stops_reading s c then Got stays_off else
       left <- on_left hand value ;; r <- magnitude value ;; Got (LoneStart, Pending 0, zero2, r, left) in
     match in_phase x, asked with
     | Off, Some hand => if suv s && says_hand c then starts hand else Got as_before
     | Off, None => Got as_before
-    | Pending _, None => Got (Idle n, Off, zero2, 0%num, true)
+    | Pending _, None => Got stays_off
     | Pending k, Some hand =>
-        if (k + n <? 2) && negb renames_plane then Got (Idle n, Pending (k + n), zero2, reach x, was_left x)
+        if (k + n <? idle_limit s) && negb (stops_reading s c) && negb renames_plane then Got (Idle n, Pending (k + n), zero2, reach x, was_left x)
         else if says_hand c then starts hand
-        else Got (Idle n, Off, zero2, 0%num, true)
-    | Ending, _ => Got as_before
+        else Got stays_off
+    | Ending, _ => Got (if names_plane s c then (CancelBlock, Off, zero2, 0%num, true) else as_before)
     | _, Some _ => Got as_before
     | _, None => ends_alone s LoneCancel x
     end.

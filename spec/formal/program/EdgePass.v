@@ -39,7 +39,7 @@ Fixpoint what_comes {num} {N : Numbers num} (s : setup num) (between : bool) (re
   | [] => Got Unknown
   | b :: rest =>
       if is_no_block b then what_comes s between rest
-      else if stops_look_ahead (block_of (command_of b)) then Got Unknown
+      else if stops_look_ahead s (block_of (command_of b)) then Got Unknown
       else if is_cancel b then Got Cancels
       else
         moving <- moves_in_space s b ;;

@@ -63,7 +63,7 @@ Definition edge_alarms {num} {N : Numbers num} (s : setup num) (c : command num)
   let starts := is_start c in
   let axis_word := moving_word s c st in
   let cancels := leads before && negb on_behind in
-  _ <- alarm_if ((starts && (axis_word || stops_look_ahead (block_of c))) || (cancels && axis_word)) "leading-edge-format" ;;
+  _ <- alarm_if ((starts && (axis_word || stops_look_ahead s (block_of c))) || (cancels && axis_word)) "leading-edge-format" ;;
   _ <- alarm_if (starts && in_arc_mode c) "leading-edge-start" ;;
   _ <- alarm_if (leads before && (starts || in_arc_mode c)) "leading-edge-command" ;;
   _ <- alarm_if (on_behind && forbidden_in_edge c axis_word) "forbidden-in-compensation" ;;

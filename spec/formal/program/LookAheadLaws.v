@@ -29,8 +29,11 @@ Example cutter_b_looks_at_no_block_instance (b : planned R) all :
   exists first later, compensated_b plain_setup (fst bare_plan) = inl first /\ all = first ++ later.
 Proof. apply cutter_b_looks_at_no_block. Qed.
 
-Lemma idle_counts {num} (s : setup num) c : idle_count s c = 1 \/ idle_count s c = 2.
-Proof. unfold idle_count. destruct (names_plane s c); auto. Qed.
+Lemma limit_two {num} (s : setup num) : 2 <= idle_limit s.
+Proof. unfold idle_limit, blocks_read. destruct (series_30i s); lia. Qed.
+
+Lemma idle_counts {num} (s : setup num) c : 1 <= idle_count s c.
+Proof. unfold idle_count. pose proof (limit_two s). destruct (names_plane s c); lia. Qed.
 
 (** A block that does not move counts at least one. *)
 Definition counts {num} (b : planned num) : Prop := match part_of b with Idle n => 1 <= n | _ => True end.
@@ -78,65 +81,81 @@ Proof.
     T)).
 Qed.
 
-Lemma look_two {num} (bs more : list (planned num)) : Forall counts bs -> forall count repeated,
-  0 <= count < 2 -> 2 - count <= Z.of_nat (List.length bs) -> look count repeated (bs ++ more) = look count repeated bs.
+Lemma look_limited {num} (s : setup num) (bs more : list (planned num)) : Forall counts bs -> forall count repeated,
+  0 <= count < idle_limit s -> idle_limit s - count <= Z.of_nat (List.length bs) ->
+  look s count repeated (bs ++ more) = look s count repeated bs.
 Proof.
   induction 1 as [|b bs C F IH]; intros count repeated P L; [cbn [List.length Z.of_nat] in L; lia|].
   cbn [app look]. revert C; unfold counts. destruct (part_of b); intro C; try reflexivity.
-  destruct (count + count0 <? 2) eqn:E; [|reflexivity]. apply Z.ltb_lt in E. cbn [List.length] in L.
+  destruct (stops s b); [reflexivity|].
+  destruct (count + count0 <? idle_limit s) eqn:E; [|reflexivity]. apply Z.ltb_lt in E. cbn [List.length] in L.
   rewrite Nat2Z.inj_succ in L.
   apply IH; lia.
 Qed.
 
-(** fanuc.cutter-c.one-non-motion-block: in type C a block depends on two blocks behind it, and no more; every block of
-    a program counts (planned_counts). *)
-Theorem cutter_c_looks_two_blocks_ahead {num} {N : Numbers num} (s : setup num) vs b next after_next more :
-  counts next -> counts after_next -> block_c s vs b (next :: after_next :: more) = block_c s vs b [next; after_next].
+(** Blocks that are all that is read behind one: they count, and there are as many as end it where none of them moves. *)
+Definition all_read {num} (s : setup num) (ahead : list (planned num)) : Prop :=
+  Forall counts ahead /\ idle_limit s <= Z.of_nat (List.length ahead).
+
+(** fanuc.cutter-c.one-non-motion-block: in type C a block depends on two blocks behind it, on the 30i on one less than
+    No. 19625 says, and no more; every block of a program counts (planned_counts). *)
+Theorem cutter_c_reads_so_many_blocks_ahead {num} {N : Numbers num} (s : setup num) vs b ahead more :
+  all_read s ahead -> block_c s vs b (ahead ++ more) = block_c s vs b ahead.
 Proof.
-  intros C C'. assert (E : look 0 false (next :: after_next :: more) = look 0 false [next; after_next]).
-  { apply (look_two [next; after_next] more); [now repeat constructor|lia|cbn; lia]. }
+  intros [C L]. assert (E : look s 0 false (beyond s b (ahead ++ more)) = look s 0 false (beyond s b ahead)).
+  { unfold beyond. destruct (stops s b); [reflexivity|]. pose proof (limit_two s). apply look_limited; [exact C|lia|lia]. }
   unfold block_c, mode_block, loses_vector, group_at_end, corner_arc_c, lone_start. now rewrite E.
 Qed.
 
-Example cutter_c_looks_two_blocks_ahead_instance b more :
+Example cutter_c_reads_so_many_blocks_ahead_instance b more :
   Forall (fun p => block_c plain_setup [zero2] b (p :: p ::
     more) = block_c plain_setup [zero2] b [p; p]) (fst bare_plan).
 Proof.
   eapply Forall_impl; [|exact (planned_counts (fun _ => "") plain_setup [up; last_block] 0 (initial plain_setup))].
-  intros p C. now apply cutter_c_looks_two_blocks_ahead.
+  intros p C. apply (cutter_c_reads_so_many_blocks_ahead plain_setup [zero2] b [p; p] more).
+  split; [now repeat constructor|now cbn].
 Qed.
 
-(** fanuc.cutter-c.two-non-motion-blocks: so the blocks of a plan with two blocks behind them run alike, whatever
+(** fanuc.cutter-c.two-non-motion-blocks: so the blocks of a plan with so many blocks behind them run alike, whatever
     follows these. *)
-Theorem cutter_c_two_more_blocks {num} {N : Numbers num} (s : setup num) bs next after_next more : counts next ->
-  counts after_next ->
+Theorem cutter_c_so_many_more_blocks {num} {N : Numbers num} (s : setup num) bs ahead more : all_read s ahead ->
   Forall counts bs -> forall vs,
-  firstn (List.length bs) (fst (blocks_c s vs (bs ++ next :: after_next :: more))) =
-  firstn (List.length bs) (fst (blocks_c s vs (bs ++ [next; after_next]))).
+  firstn (List.length bs) (fst (blocks_c s vs (bs ++ ahead ++ more))) =
+  firstn (List.length bs) (fst (blocks_c s vs (bs ++ ahead))).
 Proof.
-  intros C C'. induction 1 as [|b bs Cb F IH]; intro vs; [reflexivity|].
-  assert (E : block_c s vs b (bs ++ next :: after_next :: more) = block_c s vs b (bs ++ [next; after_next])).
-  { destruct F as [|b' bs C0 F]; [now apply cutter_c_looks_two_blocks_ahead|].
-    destruct F as [|b'' bs C1 F].
-    - cbn [app]. rewrite (cutter_c_looks_two_blocks_ahead s vs b b' next (after_next :: more)) by assumption.
-      now rewrite (cutter_c_looks_two_blocks_ahead s vs b b' next [after_next]) by assumption.
-    - cbn [app]. rewrite (cutter_c_looks_two_blocks_ahead s vs b b' b'' (bs ++ next :: after_next ::
-        more)) by assumption.
-      now rewrite (cutter_c_looks_two_blocks_ahead s vs b b' b'' (bs ++ [next; after_next])) by assumption. }
-  cbn [app blocks_c]. rewrite E. destruct (block_c s vs b (bs ++ [next; after_next])) as [[new ws]| |];
-    try reflexivity.
-  specialize (IH ws). destruct (blocks_c s ws (bs ++ next :: after_next ::
-    more)), (blocks_c s ws (bs ++ [next; after_next])).
+  intros [C L]. induction 1 as [|b bs Cb F IH]; intro vs; [reflexivity|].
+  assert (E : block_c s vs b (bs ++ ahead ++ more) = block_c s vs b (bs ++ ahead)).
+  { rewrite app_assoc. apply cutter_c_reads_so_many_blocks_ahead. split; [now apply Forall_app|].
+    rewrite app_length. lia. }
+  cbn [app blocks_c]. rewrite E. destruct (block_c s vs b (bs ++ ahead)) as [[new ws]| |]; try reflexivity.
+  specialize (IH ws). destruct (blocks_c s ws (bs ++ ahead ++ more)), (blocks_c s ws (bs ++ ahead)).
   cbn in *. now rewrite IH.
 Qed.
 
-Example cutter_c_two_more_blocks_instance more : let bs := fst bare_plan in
-  Forall (fun p => firstn (List.length bs) (fst (blocks_c plain_setup [zero2] (bs ++ p :: p :: more))) =
+Example cutter_c_so_many_more_blocks_instance more : let bs := fst bare_plan in
+  Forall (fun p => firstn (List.length bs) (fst (blocks_c plain_setup [zero2] (bs ++ [p; p] ++ more))) =
                    firstn (List.length bs) (fst (blocks_c plain_setup [zero2] (bs ++ [p; p])))) bs.
 Proof.
   pose proof (planned_counts (fun _ => "") plain_setup [up; last_block] 0 (initial plain_setup)) as F.
-  eapply Forall_impl; [|exact F]. intros p C. now apply cutter_c_two_more_blocks.
+  eapply Forall_impl; [|exact F]. intros p C. apply cutter_c_so_many_more_blocks; [|exact F].
+  split; [now repeat constructor|now cbn].
 Qed.
+
+(** fanuc.cutter-c.look-ahead-stopped: a block depends on nothing beyond one that stops the look-ahead, be that the next
+    one or itself. *)
+Theorem cutter_c_reads_nothing_beyond_a_stop {num} {N : Numbers num} (s : setup num) vs b next more :
+  stops s b = true \/ stops s next = true -> block_c s vs b (next :: more) = block_c s vs b [next].
+Proof.
+  intro S. assert (E : look s 0 false (beyond s b (next :: more)) = look s 0 false (beyond s b [next])).
+  { unfold beyond. destruct S as [S|S].
+    - now rewrite S.
+    - destruct (stops s b); [reflexivity|]. cbn [look]. rewrite S. now destruct (part_of next). }
+  unfold block_c, mode_block, group_at_end, corner_arc_c, lone_start. now rewrite E.
+Qed.
+
+Example cutter_c_reads_nothing_beyond_a_stop_instance b next more : stops plain_setup next = true ->
+  block_c plain_setup [zero2] b (next :: more) = block_c plain_setup [zero2] b [next].
+Proof. intro S. apply cutter_c_reads_nothing_beyond_a_stop. now right. Qed.
 
 (** * The leading edge offset *)
 
@@ -178,19 +197,29 @@ Proof. apply edge_looks_two_blocks_ahead. Qed.
 
 (** * Tool side compensation *)
 
-Lemma following_in_two {num} {N : Numbers num} (s : setup num) vt next after_next more :
-  following_of s vt None (next :: after_next :: more) = following_of s vt None [next; after_next].
-Proof. reflexivity. Qed.
+Lemma following_limited {num} {N : Numbers num} (s : setup num) vt (ahead more : list (planned num)) :
+  forall count again, 0 <= count < idle_limit s -> idle_limit s - count <= Z.of_nat (List.length ahead) ->
+  following_of s vt count again (ahead ++ more) = following_of s vt count again ahead.
+Proof.
+  induction ahead as [|b bs IH]; intros count again P L; [cbn [List.length Z.of_nat] in L; lia|].
+  cbn [app following_of]. destruct (stops_look_ahead s (block_of (command_of b))); [reflexivity|].
+  destruct (moves_across s vt b) as [[|]| |]; cbn [bind]; try reflexivity.
+  destruct ((idle_limit s <=? count + 1) || negb (asked (side_at_end b))) eqn:E; [reflexivity|].
+  apply orb_false_iff in E as [E _]. apply Z.leb_gt in E. cbn [List.length] in L. rewrite Nat2Z.inj_succ in L.
+  apply IH; lia.
+Qed.
 
 (** fanuc.tool-side.two-blocks-without-movement: so do the vectors at the end of a block under tool side compensation,
     before interference is asked. *)
-Theorem side_looks_two_blocks_ahead {num} {N : Numbers num} (s : setup num) a next after_next more :
-  standing_at_end s a (next :: after_next :: more) = standing_at_end s a [next; after_next].
-Proof. unfold standing_at_end. now rewrite following_in_two. Qed.
+Theorem side_reads_so_many_blocks_ahead {num} {N : Numbers num} (s : setup num) a ahead more :
+  idle_limit s <= Z.of_nat (List.length ahead) -> standing_at_end s a (ahead ++ more) = standing_at_end s a ahead.
+Proof.
+  intro L. unfold standing_at_end. pose proof (limit_two s). now rewrite following_limited by lia.
+Qed.
 
-Example side_looks_two_blocks_ahead_instance (a : planned R) more :
-  standing_at_end plain_setup a (a :: a :: more) = standing_at_end plain_setup a [a; a].
-Proof. apply side_looks_two_blocks_ahead. Qed.
+Example side_reads_so_many_blocks_ahead_instance (a : planned R) more :
+  standing_at_end plain_setup a ([a; a] ++ more) = standing_at_end plain_setup a [a; a].
+Proof. apply side_reads_so_many_blocks_ahead. now cbn. Qed.
 
 (** * Tool center point control *)
 

@@ -46,21 +46,21 @@ Arguments Following {num}. Arguments block_b {num}. Arguments repeated {num}.
 
 Definition repeats {num} (b : planned num) : bool := repeats_code (command_of b) (side (before b)).
 
-(** fanuc.tool-side.look-ahead, fanuc.tool-side.one-block-without-movement: past one block that does not move in the
-    plane of the corner.
-    fanuc.tool-side.two-blocks-without-movement, fanuc.tool-side.look-ahead-stopped, fanuc.tool-side.no-next-block: two
-    of them, M00, M01, M02 or M30, the end, G40 or number 0 in a block that does not move: there is no B. *)
-Fixpoint following_of {num} {N : Numbers num} (s : setup num) (vt : triple num) (between : option bool)
+(** fanuc.tool-side.look-ahead, fanuc.tool-side.one-block-without-movement: past blocks that do not move in the plane of
+    the corner, so many as are read.
+    fanuc.tool-side.two-blocks-without-movement, fanuc.tool-side.look-ahead-stopped, fanuc.tool-side.no-next-block: too
+    many of them, one that stops the look-ahead, the end, G40 or number 0 in a block that does not move: there is no B. *)
+Fixpoint following_of {num} {N : Numbers num} (s : setup num) (vt : triple num) (count : Z) (again : bool)
     (rest : list (planned num)) : outcome (option (following num)) :=
   match rest with
   | [] => Got None
   | b :: rest =>
-      if stops_look_ahead (block_of (command_of b)) then Got None
+      if stops_look_ahead s (block_of (command_of b)) then Got None
       else
         moves <- moves_across s vt b ;;
-        if moves : bool then Got (Some (Following b (repeats b || or_else between false)))
-        else if given between || negb (asked (side_at_end b)) then Got None
-        else following_of s vt (Some (repeats b)) rest
+        if moves : bool then Got (Some (Following b (repeats b || again)))
+        else if (idle_limit s <=? count + 1) || negb (asked (side_at_end b)) then Got None
+        else following_of s vt (count + 1) (repeats b || again) rest
   end.
 
 (** * In the plane of the corner *)

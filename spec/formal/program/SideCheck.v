@@ -60,7 +60,7 @@ Definition standing_at_end {num} {N : Numbers num} (s : setup num) (a : planned 
   zero <- is_zero "fanuc.cutter-c.value-zero" (side_value x) ;;
   negative <- is_negative "fanuc.cutter.side" (side_value x) ;;
   let r := if negative : bool then (- side_value x)%num else side_value x in
-  f <- following_of s vt None rest ;;
+  f <- following_of s vt 0 false rest ;;
   match f with
   | None =>
       leg_a <- leg_in_plane s vt a (uncompensated (behind a)) (to_left (on_left x) r) ;;

@@ -53,8 +53,8 @@ Fixpoint still_waiting {num} {N : Numbers num} (s : setup num) (b : planned num)
   end.
 Definition waiting_behind {num} {N : Numbers num} (s : setup num) (b : planned num) (w : waiting num) :
     outcome (waiting num) :=
-  w <- (if stops_look_ahead (block_of (command_of b)) then Got [] else still_waiting s b w) ;;
-  Got (if makes_corner b || starts_at_once s b then w ++ [(tool_behind s b, 1)] else w).
+  w <- (if stops_look_ahead s (block_of (command_of b)) then Got [] else still_waiting s b w) ;;
+  Got (if makes_corner b || starts_at_once s b then w ++ [(tool_behind s b, idle_limit s - 1)] else w).
 
 Fixpoint commands_refused {num} {N : Numbers num} (s : setup num) (w : waiting num) (bs : list (planned num)) :
     option (nat * ending) :=

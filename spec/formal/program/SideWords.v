@@ -95,7 +95,7 @@ Definition forbidden_with_side {num} (s : setup num) (c : command num) (on_befor
     fanuc.tool-side.code-for-the-mode: TOOL_SIDE_MODE.
     fanuc.tool-side.plane-selected: a change of the plane raises PS0037.
     fanuc.tool-side.q-format: Q of another value than 1, 2 or 3.
-    fanuc.tool-side.type-c-format: an axis word, G02 or G03, and with a start M00, M01, M02 or M30.
+    fanuc.tool-side.type-c-format: an axis word, G02 or G03, and with a start what stops the look-ahead.
     fanuc.cutter-c.start-or-cancel-in-arc: PS0034.
     fanuc.cutter.value-too-large: PS0029. *)
 Definition side_alarms {num} {N : Numbers num} (s : setup num) (c : command num) (st : state num) : outcome unit :=
@@ -114,7 +114,7 @@ Definition side_alarms {num} {N : Numbers num} (s : setup num) (c : command num)
   _ <- alarm_if (on_before && planes_differ (in_plane (in_modes c)) (in_plane (modes_of st))) "plane-change" ;;
   _ <- alarm_if (forbidden_with_side s c on_before on_after (axis_word || arc)) "forbidden-in-compensation" ;;
   _ <- alarm_if (on_after && given (last_word Letter.Q (words b)) && negb q_known) "treatment" ;;
-  _ <- alarm_if ((makes || removes) && (axis_word || in_arc c) || (makes && stops_look_ahead b)) "type-c-format" ;;
+  _ <- alarm_if ((makes || removes) && (axis_word || in_arc c) || (makes && stops_look_ahead s b)) "type-c-format" ;;
   _ <- alarm_if (negb (makes_at_once s) && negb (Bool.eqb (made x) on_after) && arc) "arc-at-start-or-cancel" ;;
   if given (side_behind_words c (side_in_force x)) && reads_side_value s c x && negb (snd (number_behind s c st) =? 0)
   then let '(by_, number) := number_behind s c st in _ <- applied s by_ (offsets_of st) number ;; Got tt
@@ -137,7 +137,7 @@ Definition is_on_left {num} {N : Numbers num} (code : option hand_of_tool) (valu
     What is left of the start behind the block. *)
 Definition after_start {num} {N : Numbers num} (s : setup num) (c : command num) (left crosses : bool) (arc : bool)
     (travel : triple num) (start : side_start num) : outcome (option (side_start num)) :=
-  let can_follow := if stops_look_ahead (block_of c) then 0 else may_follow start in
+  let can_follow := if stops_look_ahead s (block_of c) then 0 else may_follow start in
   follows <-
     (if can_follow <=? 0 then Got false
      else if arc then Got true
@@ -175,7 +175,7 @@ Definition side_behind {num} {N : Numbers num} (s : setup num) (c : command num)
     zero <- is_zero "fanuc.cutter-c.value-zero" value ;;
     let starts := asked_now && negb (made x) && (crosses || makes_at_once s) in
     since <-
-      (if starts then Got (Some (SideStart vt left true 2))
+      (if starts then Got (Some (SideStart vt left true (idle_limit s)))
        else match since_start x with
             | Some start => if asked_now then after_start s c left crosses (given arc) travel start else Got None
             | None => Got None

@@ -167,10 +167,22 @@ TEST(ModelStagesLookAhead, CutterCompensation) {
   expect_look_ahead("cutter_compensation = \"C\"\n", 1, 2, program);
 }
 
+// No. 19625: one block less than are read.
+const std::string kFiveBlocks = "series = \"30i\"\n[parameters]\n19625 = 5\n";
+
+TEST(ModelStagesLookAhead, CutterCompensationOfThe30i) {
+  expect_look_ahead(kFiveBlocks, 1, 4, "G01 G41 D1 X10 F1\nX100\nM08\nM09\nM08\nM09\nX0\nY0\nG40 X-50\n");
+}
+
 // Behind an outer corner of two vectors (a turn to the left by 135 degrees, the tool at the right) a block waits for
 // the next corner too.
 TEST(ModelStagesLookAhead, ToolSideCompensation) {
   expect_look_ahead("", 2, 4, "G01 G42.2 D1 X10 F1\nX100\nM08\nX50 Y50\nM08\nX-100\nM08\nM09\nG40 X-200\n");
+}
+
+TEST(ModelStagesLookAhead, ToolSideCompensationOfThe30i) {
+  expect_look_ahead(kFiveBlocks, 2, 8,
+                    "G01 G42.2 D1 X10 F1\nX100\nM08\nM09\nM08\nX50 Y50\nM08\nM09\nM08\nX-100\nM08\nG40 X-200\n");
 }
 
 }  // namespace
