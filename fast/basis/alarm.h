@@ -71,6 +71,7 @@ inline constexpr Alarm kDirectionFormat{"TOOL_DIRECTION_FORMAT", "G43.4 or G43.5
 inline constexpr Alarm kCompensationInWorkpiece{
     "COMPENSATION_IN_WORKPIECE_SYSTEM",
     "three-dimensional compensation with 19696#5 = 1 on a machine with a table axis"};
+inline constexpr Alarm kArcInCompensation{"PS5461", "an arc in tool side compensation on a mixed machine"};
 inline constexpr Alarm kArcWithTableTurned{"ARC_WITH_TABLE_TURNED",
                                            "an arc with 19696#5 = 1 while a table axis turns or has turned"};
 inline constexpr Alarm kMeasurementFormat{"MEASUREMENT_FORMAT", "G43, G44 or G49 in the block with G37"};

@@ -45,6 +45,7 @@ class Interpreter final : public BlockTaker {
   void take_codes(const Words& words, const Command& command);
   [[nodiscard]] Alarm take_arc(const Words& words, BlockArc& arc) const;
   [[nodiscard]] Alarm take_length(const Words& words, const Command& command, bool& extra);
+  [[nodiscard]] bool shift_system();
   // The moves of a block; `stage`: they go through it.
   [[nodiscard]] Alarm move(const Words& words, const Command& command, Stage* stage, const OwnMove& own);
   // Without any stage; without `own` the words move nothing.
@@ -98,6 +99,7 @@ class Interpreter final : public BlockTaker {
   const Stages& stages_;
   std::span<const std::unique_ptr<Stage>> asked_;  // to which a block with commands is shown: all of them, or none
   ToolLengthMeasurement measurement_;
+  bool shifts_system_;  // 5006#6, TOS
   EventSink& sink_;
   EventSink* moves_;  // where uncompensated moves go
   Event move_;        // the next one
