@@ -172,8 +172,12 @@ Data setup_data(const spec::Setup& setup) {
                             row.l ? List{number(*row.l)} : List{}, deltas(row), deviations(row, setup)});
   List corrections;
   for (const auto& [key, row] : setup.tcs) corrections.emplace_back(List{whole(key), deltas(row)});
-  return List{std::move(axes), flag(setup.units == spec::Units::inch), axis_data(setup.position, setup.axes),
-              std::move(tools), std::move(corrections)};
+  return List{std::move(axes),
+              flag(setup.units == spec::Units::inch),
+              axis_data(setup.position, setup.axes),
+              std::move(tools),
+              std::move(corrections),
+              flag(setup.m128_reference == spec::M128Reference::center)};
 }
 
 }  // namespace

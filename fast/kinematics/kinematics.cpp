@@ -140,6 +140,9 @@ void Kinematics::from_unit_type(const spec::Setup& setup, int type) {
   outer_ = type == 2 ? axis[0] : axis[1];
   if (fault(Fault::rotary_order_swapped)) std::swap(inner_, outer_);
   const int vertical = setup.parameter(19697) ? whole_parameter(setup, 19697, 1, 3) : 3;
+  const bool turns_with_table = setup.bit(19746, 4) && !setup.bit(19696, 5);
+  table_may_stand_ =
+      type != 2 && setup.series == spec::Series::series_30i && !turns_with_table && !fault(Fault::table_turns_on_30i);
   expand(tilted(angle_parameter(setup, 19698), angle_parameter(setup, 19699), vertical - 1));
 }
 
@@ -227,6 +230,7 @@ void Kinematics::expand(const FineVector& v0) {
 }
 
 Count Kinematics::angle(const RotaryAxis& axis, const std::array<Count, spec::kMaxAxes>& position) {
+  if (axis.stands) return {};
   const Count turned = axis.index == RotaryAxis::kNone ? -axis.reference : position[axis.index] - axis.reference;
   return axis.reversed ? -turned : turned;
 }
@@ -234,6 +238,10 @@ Count Kinematics::angle(const RotaryAxis& axis, const std::array<Count, spec::kM
 // The usual angle in place: a count that is put together elsewhere would have to be waited for.
 std::int64_t Kinematics::set_angle(const RotaryAxis& axis, const std::array<Count, spec::kMaxAxes>& position,
                                    Count& turned) {
+  if (axis.stands) [[unlikely]] {
+    turned.set_small(0);
+    return 0;
+  }
   if (axis.index != RotaryAxis::kNone && position[axis.index].is_small() && axis.reference.is_small()) [[likely]] {
     std::int64_t small = position[axis.index].small() - axis.reference.small();
     if (axis.reversed) small = -small;

@@ -21,7 +21,8 @@ struct RotaryAxis {
   std::size_t index = kNone;  // of the setup; kNone: the angle is fixed (hypothetical axis, or none)
   FineVector axis;            // unit
   bool reversed = false;
-  Count reference;  // degrees; the fixed angle is -reference
+  bool stands = false;  // turns nothing for now
+  Count reference;      // degrees; the fixed angle is -reference
 };
 
 // The rotary axes of a setup and the direction they give the tool:
@@ -42,6 +43,12 @@ class Kinematics {
 
   // Machine positions of the zeros from which direct() is given positions, by axis index; at first 0.
   void set_zeros(const std::array<Count, spec::kMaxAxes>& zero);
+  // Whether direct() gives directions as seen from the table, as always in tool center point control: false, where the
+  // series lets the table stand outside of it, those in the machine.
+  void see_from_table(bool from_table) {
+    inner_.stands = table_may_stand_ && !from_table && type_ == 12;
+    outer_.stands = table_may_stand_ && !from_table;
+  }
   // Sets `direction` for the axis positions (degrees, by axis index of the setup).
   void direct(const std::array<Count, spec::kMaxAxes>& position, Direction& direction);
   // The unit vector in double-double, each component within direction.refined_error().
@@ -105,6 +112,7 @@ class Kinematics {
 
   bool defined_ = false;
   int type_ = 0;
+  bool table_may_stand_ = false;
   RotaryAxis inner_;
   RotaryAxis outer_;
   std::array<Count, 2> reference_;  // of both, with zeros of 0

@@ -506,6 +506,7 @@ Vector3<T> Machine::in_machine(const Vector3<T>& on_table, const Turns<T>& turns
   return type_ == 12 ? turn(0, second, turns[0]) : second;
 }
 template Vector3<double> Machine::in_machine(const Vector3<double>&, const Turns<double>&) const;
+template Vector3<DoubleDouble> Machine::in_machine(const Vector3<DoubleDouble>&, const Turns<DoubleDouble>&) const;
 
 // Where a point of the table stands in the machine.
 template <class T>

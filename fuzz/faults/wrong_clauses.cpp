@@ -41,6 +41,12 @@ spec::Case reads_past_stops(const spec::Case& c) {
   replace_all(other.program, "M01", "M05");
   return other;
 }
+spec::Case positive_rotary_words(const spec::Case& c) {
+  spec::Case other = c;
+  for (const std::string_view word : {" A-", " B-", " C-"})
+    replace_all(other.program, word, std::string(word.substr(0, 2)) + "+");
+  return other;
+}
 
 spec::Case positive_values(const spec::Case& c) {
   spec::Case other = c;
@@ -62,6 +68,12 @@ spec::Case negated_values(const spec::Case& c) {
 spec::Case without_holder_offset(const spec::Case& c) {
   spec::Case other = c;
   other.setup.parameters.erase({19666, -1});
+  return other;
+}
+
+spec::Case without_shift(const spec::Case& c) {
+  spec::Case other = c;
+  other.setup.parameters.erase({5006, 6});
   return other;
 }
 
@@ -105,6 +117,15 @@ spec::Case sides_exchanged(const spec::Case& c) {
   replace_all(other.program, " RR", " RL");
   replace_all(other.program, " R?", " RR");
   return other;
+}
+
+// The move of a G49 that ends tool center point control ends 1 beside where it should.
+void take_back_too_little(const spec::Case& c, std::vector<model::Event>& events) {
+  if (c.setup.tip_control_cancel != spec::TipControlCancel::moves) return;
+  for (std::size_t i = 1; i < events.size(); ++i) {
+    const bool ends = events[i - 1].tool_axis && !events[i - 1].machine.empty() && events[i].machine.empty();
+    if (ends && events[i].kind == spec::EventKind::move) events[i].axes.value[0] += Real(1);
+  }
 }
 
 void reverse_difference(const spec::Case& c, std::vector<model::Event>& events) {
@@ -209,6 +230,7 @@ constexpr WrongClause kWrong[] = {
     {"side_arc_from_above", "fanuc/tool-side-compensation", "beside-the-arc", kBudget, nullptr, sense_from_above},
     {"edge_sense", "fanuc/leading-edge-offset", "leading-edge-vector", kBudget, negated_values, nullptr},
     {"length_44_as_43", "fanuc/tool-length-offset", "length-offset", kBudget, forty_four_as_forty_three, nullptr},
+    {"system_not_shifted", "fanuc/tool-length-offset", "by-the-words-alone", kBudget, without_shift, nullptr},
     {"measured_reversed", "fanuc/tool-length-measurement", "measured-difference", kBudget, nullptr, reverse_difference},
     {"offset_46_as_45", "fanuc/tool-offset", "signed-sums", kBudget, forty_six_as_forty_five, nullptr},
     {"cutter_b_negative_value", "fanuc/cutter-compensation-b", "normal-of-the-block", kBudget, positive_values,
@@ -220,11 +242,15 @@ constexpr WrongClause kWrong[] = {
     {"cutter_c_reads_past_stops", "fanuc/cutter-compensation-c", "cut-at-a-stop", kBudget, reads_past_stops, nullptr},
     {"tip_without_holder_offset", "fanuc/tool-center-point-control", "tip-of-the-axes", kBudget, without_holder_offset,
      nullptr},
+    {"taken_back_too_little", "fanuc/tool-center-point-control", "offset-taken-back", kBudget, nullptr,
+     take_back_too_little},
     {"tip_sense", "fanuc/tool-center-point-control", "axis-of-the-positions", kBudget, other_sense, nullptr},
     {"tip_leans_backward", "fanuc/tool-center-point-control", "commanded-direction", kBudget, lean_backward, nullptr},
     {"posture_conventional", "fanuc/tool-posture-control", "great-circle", kBudget, conventional, nullptr},
     {"posture_error_unlimited", "fanuc/tool-posture-control", "changed-end", kBudget, without_veto, nullptr},
     {"face_radius_delta", "heidenhain/face-milling", "touches-the-contact-plane", kBudget, without_radius_delta,
+     nullptr},
+    {"rotary_words_without_sign", "heidenhain/face-milling", "tool-as-the-axes-stand", kBudget, positive_rotary_words,
      nullptr},
     {"peripheral_sides", "heidenhain/peripheral-milling", "cylinder-beside-the-line", kBudget, sides_exchanged,
      nullptr},

@@ -16,6 +16,7 @@ bool measures(const Command& command) { return command.codes.one_shot == OneShot
 StepMaker::StepMaker(const spec::Setup& setup, OffsetMemory& memory, Recorder& recorder, bool with_motion)
     : axes_(setup.axes),
       with_motion_(with_motion),
+      shifts_system_(setup.bit(5006, 6)),
       recorder_(recorder),
       memory_(memory),
       interpreter_(setup, recorder),
@@ -26,7 +27,7 @@ StepMaker::StepMaker(const spec::Setup& setup, OffsetMemory& memory, Recorder& r
 
 Step StepMaker::make(const spec::Block& block, Pipeline& stages) {
   const Command command = interpreter_.read(block);
-  Making now{command, stages, {}, {}, {}, {}, false, {}};
+  Making now{command, stages, {}, false, {}, {}, {}, false, {}};
   now.step.line = block.line;
   now.step.n = block.n;
   read_words(now);
@@ -43,6 +44,8 @@ Step StepMaker::make(const spec::Block& block, Pipeline& stages) {
 void StepMaker::read_words(Making& now) {
   const Command& command = now.command;
   now.tip = tip_control_.read(command, length_, now.stages);
+  now.compensates = shifts_system_ && (now.stages.in_force(Extent::space, command).any() ||
+                                       now.stages.in_force(Extent::plane, command).any());
   const StageCommand for_stages{command, interpreter_, now.tip.directed};
   now.stages.read(Extent::space, for_stages, now.words);
   if (now.tip.ends || now.tip.again)
@@ -61,6 +64,7 @@ void StepMaker::find_legs(Making& now) {
   const Command& command = now.command;
   std::vector<Leg>& legs = now.legs;
   const TipMarks& tip = now.tip;
+  if (shifts_system_) shift_system(now);
   legs = interpreter_.legs(command, tip.directed, tip.starts, now.stages.takes_arc_about_its_start(command));
   const Leg start = tool_offset_.shifted(interpreter_.stay(command));
   tool_offset_.apply(command, interpreter_,
@@ -68,15 +72,38 @@ void StepMaker::find_legs(Making& now) {
   now.stages.add_way(now.words,
                      {start, legs, [this](const Position& position) { return tip_control_.at(position).tool; }});
   now.machine = tip.tip_control || (!legs.empty() && goes_by_machine_coordinates(command.codes.one_shot));
-  now.plan = length_.plan(length_command(command, legs));
+  if (!shifts_system_) now.plan = length_.plan(length_command(command));
+  if (!shifts_system_ && now.plan.changed) recorder_.decide(Clause::fanuc_length_offset_shifted_system, false);
   // fanuc.length-offset.move-without-axis-word: Without an axis word a travel of zero is assumed: the offset axis still
   // moves by the change of its offset. Where the offset does not change there is no move.
-  if (legs.empty() && !tip.ends &&
-      recorder_.decide(Clause::fanuc_length_offset_move_without_axis_word, now.plan.changed))
-    legs.push_back(tool_offset_.shifted(interpreter_.stay(command)));
+  const bool moves = tip.ends
+                         ? tip.takes_back
+                         : !shifts_system_ && legs.empty() &&
+                               recorder_.decide(Clause::fanuc_length_offset_move_without_axis_word, now.plan.changed);
+  if (legs.empty() && moves) legs.push_back(tool_offset_.shifted(interpreter_.stay(command)));
 }
 
-LengthCommand StepMaker::length_command(const Command& command, const std::vector<Leg>& legs) const {
+// fanuc.length-offset.shifted-system: With TOS (5006#6) = 1 the length offset shifts the coordinate system: where it
+// changes, the programmed position of its axes is renamed by the change and nothing moves; G43, G44 and G49 alone make
+// no move, and with a move the system is shifted first. Under G91 the axes then go by the words alone. With 0 the axes
+// move.
+// fanuc.length-offset.shifted-in-compensation: A length offset that shifts the system while a compensation by radius is
+// on before or after the block leaves the run undecided at that block.
+void StepMaker::shift_system(Making& now) {
+  const LengthVector before = length_.vector();
+  now.plan = length_.plan(length_command(now.command));
+  if (now.plan.on_way.axis == before.axis) return;
+  recorder_.decide(Clause::fanuc_length_offset_shifted_system, true);
+  if (now.compensates)
+    leave_open(recorder_, Clause::fanuc_length_offset_shifted_in_compensation,
+               "a length offset shifts the coordinate system while a compensation is on");
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    const Rational change = now.plan.on_way.axis.at(i) - before.axis.at(i);
+    if (change != 0) interpreter_.stand(i, interpreter_.position().at(i) - Coordinate(change));
+  }
+}
+
+LengthCommand StepMaker::length_command(const Command& command) const {
   LengthCommand result;
   result.code = command.codes.length;
   result.h = command.codes.h;
@@ -85,7 +112,9 @@ LengthCommand StepMaker::length_command(const Command& command, const std::vecto
   result.has_word = command.codes.any;
   const std::optional<Compensation>& code = command.codes.compensation;
   result.cutter_code = code && (*code == Compensation::cancel || is_cutter_side(*code));
-  if (!legs.empty() && goes_by_machine_coordinates(command.codes.one_shot)) result.cancelled = command.axes;
+  const OneShot one_shot = command.codes.one_shot;
+  const bool ignored = one_shot == OneShot::machine_coordinates && command.incremental;
+  if (goes_by_machine_coordinates(one_shot) && !ignored) result.cancelled = command.axes;
   return result;
 }
 

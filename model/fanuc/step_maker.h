@@ -43,6 +43,7 @@ class StepMaker {
     const Command& command;
     Pipeline& stages;
     TipMarks tip;
+    bool compensates = false;  // by radius, before or after it
     Pipeline::Words words;
     std::vector<Leg> legs;
     LengthPlan plan;
@@ -63,10 +64,13 @@ class StepMaker {
   // The move of a leg, with what the length offset and the tool say about its end.
   [[nodiscard]] Move move(const Leg& leg, const LengthVector& offset, const ToolAtEnd& tool, bool machine) const;
   Move turned_move(Making& now);
-  [[nodiscard]] LengthCommand length_command(const Command& command, const std::vector<Leg>& legs) const;
+  // With 5006#6 = 1: what the length offset shifts the coordinate system by, before the block moves.
+  void shift_system(Making& now);
+  [[nodiscard]] LengthCommand length_command(const Command& command) const;
 
   spec::Axes axes_;
   bool with_motion_;
+  bool shifts_system_;  // 5006#6, TOS
   Recorder& recorder_;
   OffsetMemory& memory_;
   Interpreter interpreter_;

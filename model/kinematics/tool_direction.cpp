@@ -2,6 +2,7 @@
 #include "model/kinematics/tool_direction.h"
 
 #include <algorithm>
+#include <span>
 
 namespace toolcomp::model {
 
@@ -14,6 +15,8 @@ Kinematics::Kinematics(const spec::Setup& setup) : mechanism_(read_mechanism(set
   tip_control_built_ = mechanism_.type == MachineType::none || mechanism_.type == MachineType::head;
   for (const std::uint32_t offset : {19666U, 19709U, 19710U, 19711U, 19712U, 19713U, 19714U})
     if (parameter(setup, offset) != 0) tip_control_built_ = false;
+  const bool turns_with_table = setup.bit(19746, 4) && !setup.bit(19696, 5);
+  table_stands_ = has_table() && setup.series == spec::Series::series_30i && !turns_with_table;
 }
 
 bool Kinematics::turns(std::size_t axis) const {
@@ -24,7 +27,11 @@ Direction Kinematics::direction(const Position& angles) const {
   Direction result;
   if (!present()) return result;
   result.vector = mechanism_.reference;
-  for (const Turn& turn : mechanism_.turns) result.vector = turn.apply(result.vector, turn.position(angles));
+  // The tool side comes first: of a mixed machine it is the axis of the tool.
+  const bool by_tool_alone = table_stands_ && mechanism_.type == MachineType::mixed;
+  std::span<const Turn> turns = mechanism_.turns;
+  if (table_stands_) turns = turns.first(by_tool_alone ? 1 : 0);
+  for (const Turn& turn : turns) result.vector = turn.apply(result.vector, turn.position(angles));
   result.unit = result.vector;  // turns keep its length 1
   result.reported = true;
   return result;

@@ -36,12 +36,20 @@ class Kinematics {
   // A controlled axis on which the direction depends.
   [[nodiscard]] bool turns(std::size_t axis) const;
 
-  // V of the angles of the rotary axes.
+  // A rotary axis turns the table.
+  [[nodiscard]] bool has_table() const {
+    return mechanism_.type == MachineType::table || mechanism_.type == MachineType::mixed;
+  }
+  // Outside tool center point control directions are those in the machine, not those seen from the table.
+  [[nodiscard]] bool table_stands() const { return table_stands_; }
+
+  // V of the angles of the rotary axes, outside tool center point control.
   [[nodiscard]] Direction direction(const Position& angles) const;
 
  private:
   Mechanism mechanism_;
   bool tip_control_built_ = true;
+  bool table_stands_ = false;
 };
 
 }  // namespace toolcomp::model

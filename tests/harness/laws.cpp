@@ -144,6 +144,8 @@ spec::Case side() {
                   "LN X+50 Y+0 Z+0 TX+0 TY+0.6 TZ+0.8\nLN X+50 Y+80 Z+0 TX+0 TY+0 TZ+1\nL Y+90 R0\n");
 }
 
+spec::Case turned() { return klartext("face-milling", "TOOL CALL 1 Z\nL X+0 Y+0 Z+0 B+90\nM128\nL X+10 R0\nL B+0\n"); }
+
 using Break = void (*)(Events&);
 
 model::Event& last_move(Events& events) {
@@ -234,6 +236,13 @@ std::vector<Example> examples() {
       {"length-offset", fanuc("tool-length-offset", "G90 G00 G44 Z100. H1\nX10.\nG49 Z50.\n"), shift_axes<1>},
       {"length-offset", fanuc("tool-length-offset", "G90 G00 G44 Z100. H1\nX10.\nG49 Z50.\n"), shift_axes<3>},
       {"length-offset-stays", fanuc("tool-length-offset", "G90 G00 G44 Z100. H1\nX10.\n"), shift_axes<2>},
+      {"by-the-words-alone",
+       [] {
+         spec::Case c = fanuc("tool-length-offset", "G91 G00 X0\nG43 H1\nX10. Z5.\n");
+         c.setup.parameters[{5006, 6}] = spec::decimal(1);
+         return c;
+       }(),
+       shift_axes<3>},
       {"signed-sums", fanuc("tool-offset", "G91 G46 G00 X80. Y50. D1\nG47 G01 F100 X50.\nG46 X-0 Y-5.\nG48 X40.\n"),
        shift_point<3, 0>},
       {"measured-difference",
@@ -250,6 +259,13 @@ std::vector<Example> examples() {
       {"axis-of-the-positions", head(kByDirection), lean_samples},
       {"tip-of-the-axes", table(kByPositions), shift_machine},
       {"tip-of-the-axes", head(kByDirection), shift_machine},
+      {"offset-taken-back",
+       [] {
+         spec::Case c = table("G90 G43.4 H1 P0 A20. C45.\nG01 F100 X20. Y-20. A-35. C10.\nG49\n");
+         c.setup.tip_control_cancel = spec::TipControlCancel::moves;
+         return c;
+       }(),
+       shift_axes<3>},
       {"tip-on-the-path", table(kByPositions), shift_sample},
       {"tip-on-the-path", head(kByDirection), shift_sample},
       {"commanded-direction", head(kByDirection), lean_tool},
@@ -268,6 +284,7 @@ std::vector<Example> examples() {
       {"nominal-tool-touches", face(), shift_contact},
       {"nominal-tool-touches", contour(), shift_contact},
       {"direction-of-the-tool", face(), lean_tool},
+      {"tool-as-the-axes-stand", turned(), lean_tool},
       {"length-along-the-tool", face(), shift_carrier},
       {"shift-of-the-tip", face(), shift_shift},
       {"cylinder-beside-the-line", side(), shift_point<4, 1>},

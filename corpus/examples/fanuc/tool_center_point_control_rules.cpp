@@ -13,6 +13,7 @@ namespace {
 #define ONE_AXIS                                                                                               \
   "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\", \"C\"]\n[parameters]\n19680 = 12\n19681 = 0\n19682 = 1\n" \
   "\"19696#0\" = 1\n19686 = 4\n19687 = 3\n19689 = 1\n"
+#define MOVES "tip_control_cancel = \"moves\"\n"
 #define TILTED_45 "19698 = 45\n"
 
 constexpr Example kRules[] = {
@@ -66,6 +67,29 @@ constexpr Example kRules[] = {
      "G90 G43.4 H0\nG03 X10. Y10. R10. C10. F100\n"},
     {"WKP = 1, an arc with the table as it was: its centre is (0, 10).", TAC(WORKPIECE, ""),
      "G90 G43.4 H0\nG03 X10. Y10. R10. F100\n"},
+    {"WKP = 1, A has laid C along Y: turned by 10 since, C is not normal to XY as it stands: PS5421 at line 4.",
+     TAC(WORKPIECE, ""), "G90 G01 A90. F100\nG43.4 H0\nC10.\nG17 G02 X10. Y10. R10.\n",
+     "1 programmed A=90\n2 programmed\n3 programmed C=10\n4 PS5421\n"},
+    {"WKP = 1, A and C turned before G43.4: the arc of XY is allowed.", TAC(WORKPIECE, ""),
+     "G90 G01 A90. C10. F100\nG43.4 H0\nG17 G02 X10. Y10. R10.\n",
+     "1 programmed A=90 C=10\n2 programmed\n3 programmed X=10 Y=10 x=10 y=10\n"},
+    {"WKP = 1, C along Y is normal to ZX: turned since, ARC_WITH_TABLE_TURNED at line 4.", TAC(WORKPIECE, ""),
+     "G90 G01 A90. F100\nG43.4 H0\nC10.\nG18 G02 X10. Z10. R10.\n",
+     "1 programmed A=90\n2 programmed\n3 programmed C=10\n4 ARC_WITH_TABLE_TURNED\n"},
+
+    {"tip_control_cancel = moves: G49 takes the 10 along X back, X5 then counts from the tip.", MOVES HC("", LENGTHS),
+     "G90 G43.4 H1 B90.\nG49\nG91 G01 X5. F100\n",
+     "1 programmed X=10 Z=0\n2 programmed X=0 Y=0 Z=0 B=90 x=0\n3 programmed X=5 Z=0\n"},
+    {"tip_control_cancel = moves on a turned table: the tip (10, 0, 0) of the table stands at (0, -10, 0), and there "
+     "the "
+     "axes go; G91 X5 goes to (5, -10, 0).",
+     MOVES TAC("", LENGTHS), "G90 G43.4 H1 P0 X10.\nG01 C90. F100\nG49\nG91 X5.\n",
+     "1 programmed X=10 Z=10\n2 programmed X=0 Y=-10 Z=10\n3 programmed X=0 Y=-10 Z=0 x=0 y=-10\n"
+     "4 programmed X=5 Y=-10 Z=0\n"},
+    {"tip_control_cancel = moves, with an axis word: the block goes there from the tip.", MOVES HC("", LENGTHS),
+     "G90 G43.4 H1 B90. X3.\nG49 G91 G01 X5. F100\n", "1 programmed X=13\n2 programmed X=8 Z=0 x=8\n"},
+    {"tip_control_cancel = moves without kinematics: G49 takes the 10 along (1, 0, 0) back.", MOVES WITHOUT(LENGTHS),
+     "G90 G43.5 H1 I1 J0 K0\nG49\n", "1 programmed X=10\n2 programmed X=0\n"},
 
     {"Rotary axes alone: the tip stays at 0, the control point goes from (0, 0, 10) to (10, 0, 0).", HC("", LENGTHS),
      "G90 G43.4 H1\nG01 B90. F100\n", "", 2},
@@ -144,6 +168,7 @@ constexpr Example kRules[] = {
 #undef LENGTHS
 #undef OFFSETS
 #undef WITHOUT
+#undef MOVES
 #undef WORKPIECE
 #undef ONE_AXIS
 #undef TILTED_45

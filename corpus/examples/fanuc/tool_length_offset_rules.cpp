@@ -8,6 +8,18 @@ namespace {
 #define SETUP "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\"]\n"
 
 constexpr Example kRules[] = {
+    {"5006#6 = 1: G43, H, G49 alone move nothing. The axis at 100 is called 90, G91 Z-10 takes it to 90, G90 Z50 to "
+     "60; "
+     "H2 calls that 56, G49 60. G91 G43 Z-5 is 5 down, to 55; G90 G44 Z0 is -10.",
+     SETUP "[parameters]\n\"5006#6\" = 1\n[offsets.H]\n1 = 10\n2 = 4\n",
+     "G90 G00 Z100.\nG43 H1\nG91 Z-10.\nG90 Z50.\nH2\nG91 Z0\nG49\nZ0\nG43 Z-5. H1\nG90 G44 Z0 H1\n",
+     "1 X0 Y0 Z100\n"
+     "3 X0 Y0 Z90\n"
+     "4 X0 Y0 Z60\n"
+     "6 X0 Y0 Z60\n"
+     "8 X0 Y0 Z60\n"
+     "9 X0 Y0 Z55\n"
+     "10 X0 Y0 Z-10\n"},
     {"Arcs by I J about (0, 0) under an offset of 20: a quarter of radius 10; a spiral from radius 10 to 20 (sweep "
      "90); a "
      "spiral from 20 back to 10 (sweep 180); an arc that ends in its centre has no sweep. Z20 throughout.",

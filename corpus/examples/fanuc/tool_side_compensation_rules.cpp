@@ -12,6 +12,16 @@ namespace {
 #define HEAD(parameters)                                                                                             \
   "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\", \"B\", \"C\"]\n[parameters]\n19680 = 2\n19681 = 5\n19682 = 3\n" \
   "19686 = 4\n19687 = 2\n" parameters MEMORY
+// B turns the tool, C the table; A carries C.
+#define MIXED(parameters)                                                                                             \
+  "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\", \"B\", \"C\"]\n[parameters]\n19680 = 21\n19681 = 4\n19682 = 2\n" \
+  "19686 = 5\n19687 = 3\n19689 = 1\n" parameters MEMORY
+#define MIXED_ROWS "1 s G1 0 10 0\n2 p G1 100 10 0\n"
+#define TABLE(parameters)                                                                                             \
+  "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\", \"A\", \"C\"]\n[parameters]\n19680 = 12\n19681 = 4\n19682 = 1\n" \
+  "19684 = 1\n19686 = 5\n19687 = 3\n19689 = 1\n" parameters MEMORY
+#define TABLE_LINES "G90 G01 A90. F1000\nG41.2 D1 X0\nX100.\nG40 X150.\n"
+#define TURNED_ROWS "1 p G1 -40 0 0\n2 s G1 0 0 10\n3 p G1 100 0 10\n4 e G1 150 0 0\n"
 #define XYZ "\"X\", \"Y\", \"Z\""
 #define TYPE_B "\"5003#0\" = 1\n"
 #define TYPE_C "\"5003#1\" = 1\n"
@@ -46,6 +56,18 @@ constexpr Example kRules[] = {
 
     {"An outer corner of 135 degrees: obtuse, V = (10 (sqrt 2 - 1), 10, 0).", HERE,
      LEFT "X100.\nX150. Y-50.\nG40 X200. Y-100.\n"},
+
+    // Machines of the 30i.
+    {"30i, an arc on a mixed machine: PS5461 at line 3; line 2 ends with the perpendicular.",
+     "series = \"30i\"\n" MIXED("") BEFORE_X, LEFT "X100.\nG02 X150. Y-50. R50.\n", MIXED_ROWS "3 PS5461\n"},
+    {"30i, a table turned by A 90: VT is Z all the same, left of X is Y.", "series = \"30i\"\n" TABLE("") BEFORE_X,
+     TABLE_LINES, "1 p G1 -40 0 0\n2 s G1 0 10 0\n3 p G1 100 10 0\n4 e G1 150 0 0\n"},
+    {"30i with 19746#4 = 1: VT is seen from the table, -Y; left of X is Z. So it is on the 16i.",
+     "series = \"30i\"\n" TABLE("\"19746#4\" = 1\n") BEFORE_X, TABLE_LINES, TURNED_ROWS},
+    {"16i, the same table.", TABLE("") BEFORE_X, TABLE_LINES, TURNED_ROWS},
+    {"30i with 19746#4 = 1 and 19696#5 = 1: as without the former.",
+     "series = \"30i\"\n" TABLE("\"19746#4\" = 1\n\"19696#5\" = 1\n") BEFORE_X, TABLE_LINES,
+     "1 p G1 -40 0 0\n2 s G1 0 10 0\n3 p G1 100 10 0\n4 e G1 150 0 0\n"},
 
     // Arcs.
     {"G19 with VT X (B 90): the acute corner of TS11 with Y Z for X Y, (0, 10, 10), (0, 14, 2), (0, 8, -6).",
@@ -241,6 +263,11 @@ constexpr Example kRules[] = {
 #undef MEMORY
 #undef VECTOR
 #undef HEAD
+#undef MIXED
+#undef MIXED_ROWS
+#undef TABLE
+#undef TABLE_LINES
+#undef TURNED_ROWS
 #undef XYZ
 #undef TYPE_B
 #undef TYPE_C

@@ -118,6 +118,26 @@ constexpr Example kKlartext[] = {
      "TOOL CALL 1 Y\nL A90 M128\nL C90\n"},
     {"A call without a tool may change the tool axis under TCPM: the tool keeps its direction until it turns.",
      TOOL_1(REWORKED), CALL "L X1 M128\nTOOL CALL X\nL X2\nL C90\n"},
+    {"M128 behind rotary words that positioned the axes: the tool stands as they stand, DL acts along it, and the same "
+     "word again turns nothing.",
+     HEIDENHAIN TOOL("4", BALL_6),
+     "TOOL CALL 4 Z S5000 DL+1\nL B+90 C+0 R0 FMAX\nL M128\nL X+20 Y+0 Z+10 F1000\nL X+30 Y+0 Z+10 B+90\n",
+     "2 rapid programmed tip=0,0,0 tool=0,0,1 axes=0,0,1 axis=0,0,1 B=90 C=0\n"
+     "4 programmed tip=20,0,10 tool=1,0,0 axes=21,0,10 axis=1,0,0 feed=1000\n"
+     "5 programmed tip=30,0,10 tool=1,0,0 axes=31,0,10 axis=1,0,0 B=90 feed=1000\n"},
+    {"A vector turned the tool last: TCPM off and on again leaves it there; behind a rotary word, also without TCPM, "
+     "the "
+     "words count: B90 and C90 turn Z to Y.",
+     TOOL_1(REWORKED), CALL "LN X0 Y0 Z0 TX0.6 TY0 TZ0.8 M128\nM129\nL X1\nM128\nL X2\nL B90 M129\nL C90\nL X3 M128\n",
+     "2 W_NO_LATERAL\n2 programmed tip=0,0,0 axis=0.6,0,0.8\n4 programmed tip=1,0,0 axis=0,0,1\n"
+     "6 programmed tip=2,0,0 axis=0.6,0,0.8\n7 programmed tip=2,0,0 axis=1,0,0 B=90\n"
+     "8 programmed tip=2,0,0 axis=0,0,1 C=90\n9 programmed tip=3,0,0 axis=0,1,0\n"},
+    {"m128_reference = center: under M128 the programmed point is the centre, R2 above the tip; FUNCTION TCPM says its "
+     "own.",
+     HEIDENHAIN "m128_reference = \"center\"\n" TOOL("1", "R = 6\nR2 = 1\n"),
+     CALL "L X5 Y0 Z0 M128\nL X6 B90\n" TCPM "\nL X7\nM129\nL X8\n",
+     "2 programmed tip=5,0,-1 axis=0,0,1\n3 programmed tip=5,0,0 axis=1,0,0 B=90\n5 programmed tip=7,0,0 axis=1,0,0\n"
+     "7 programmed tip=8,0,0 axis=0,0,1\n"},
 };
 
 #undef CALL

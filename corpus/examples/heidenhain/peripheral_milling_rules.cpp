@@ -94,6 +94,10 @@ constexpr Example kRules[] = {
      TOOL_1("R = 6\nR2 = 1\nDR = -0.1\nDR2 = "
             "-0.02\n"),
      CALL "LN X20 Y0 Z0 NX0 NY1 NZ0 TX0 TY0 TZ1 M128\n"},
+    {"B90 before M128: the tool is along X, and the left of a travel along Y is Z: -0.1 of it.", TOOL_1(END_MILL),
+     CALL "L X0 Y-10 Z0 B90 R0\nM128\nL Y0 RL\nL Y20\nL Y40 R0\n",
+     "2 programmed tip=0,-10,0 B=90\n4 start-up tip=0,0,-0.1 shift=0,0,-0.1 axis=1,0,0\n"
+     "5 programmed tip=0,20,-0.1 shift=0,0,-0.1 axis=1,0,0\n6 cancel tip=0,40,0 axis=1,0,0\n"},
 };
 
 #undef CALL

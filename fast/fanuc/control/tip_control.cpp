@@ -93,7 +93,7 @@ Alarm ToolAttitude::plan_posture(const Words& words, Mask axes, const std::array
   if (modal_.by_vector()) return plan_direction(words, from, block);
   const Pose& start = tip_.before().plan.end;
   if (machine_.workpiece_frame() && modal_.is_arc(words))
-    if (const Alarm a = check_workpiece_arc(before)) return a;
+    if (const Alarm a = check_workpiece_arc(before, start)) return a;
   if ((axes & axes_.turning) == 0) {
     posture_.stand(start, block.plan);
   } else {
@@ -162,15 +162,20 @@ bool ToolAttitude::lean(const Words& words, const std::array<Count, 3>& from, Di
 }
 
 // WKP = 1: the table must stand as it did when the mode began.
-Alarm ToolAttitude::check_workpiece_arc(const RotaryPositions& before) const {
+Alarm ToolAttitude::check_workpiece_arc(const RotaryPositions& before, const Pose& start) const {
+  constexpr double kNothing = 0x1p-80;  // of a unit vector in double-double
   bool turned = false;
   for (std::size_t i = machine_.type() == 12 ? 0 : 1; machine_.has_table() && i < 2; ++i) {
     const std::size_t axis = machine_.rotary_axis(i);
     if (axis == spec::kMaxAxes || (before[i] == frozen_[axis] && positions_.programmed()[axis] == frozen_[axis]))
       continue;
-    const FineVector& direction = (i == 0 ? kinematics_.inner() : kinematics_.outer()).axis;
-    if (direction[in_plane(modal_.plane(), 0)].hi != 0 || direction[in_plane(modal_.plane(), 1)].hi != 0)
-      return AlarmCause::table_turned_in_arc;
+    const FineVector& line = (i == 0 ? kinematics_.inner() : kinematics_.outer()).axis;
+    Vector3<DoubleDouble> standing{line[0], line[1], line[2]};
+    // The first axis of a table carries the second.
+    if (i == 1 && !fault(Fault::table_axis_at_zero))
+      standing = machine_.in_machine(standing, machine_.fine_turns(start));
+    for (std::size_t k = 0; k < 2; ++k)
+      if (std::fabs(standing[in_plane(modal_.plane(), k)].hi) > kNothing) return AlarmCause::table_turned_in_arc;
     turned = true;
   }
   return turned ? AlarmCause::arc_with_table_turned : AlarmCause::none;
@@ -211,6 +216,7 @@ void ToolAttitude::begin(const Words& words) {
 Alarm ToolAttitude::start(const Words& words) {
   TipBlock& block = tip_.block();
   has_table_tip_ = false;
+  kinematics_.see_from_table(true);
   Pose pose;
   machine_.pose(positions_.programmed(), rounded_angles(), pose);
   if (stands_as_before()) {
@@ -257,8 +263,10 @@ void ToolAttitude::end_tip_control(bool again) {
   const std::array<Count, 3> shift = positions_.shift_xyz();
   Vector3<DoubleDouble> tip = fine(positions_.programmed_xyz()) + fine(shift);
   if (on_table && machine_.workpiece_frame()) tip = has_table_tip_ ? table_tip_ : machine_.to_table(tip, turns, origin);
-  if (!again || (on_table && !machine_.workpiece_frame())) {
-    const Vector3<DoubleDouble> position = again ? machine_.from_table(tip, turns, origin)
+  // That of the tip stays the programmed one.
+  const bool keeps = again || cancel_moves_;
+  if (!keeps || (on_table && !machine_.workpiece_frame())) {
+    const Vector3<DoubleDouble> position = keeps ? machine_.from_table(tip, turns, origin)
                                                  : machine_.control_point(tip, turns, fine(tool_length()), origin);
     // Turned by quarters, along the axes of the machine, the position is exact.
     const bool exact = machine_.polar().along_axes() && kinematics_.frame().along_axes &&
@@ -286,6 +294,7 @@ void ToolAttitude::end_tip_control(bool again) {
   if (again && modal_.by_vector()) standing_ = pose;
   positions_.make_stale();
   machine_.release();
+  kinematics_.see_from_table(false);
   turn();
   tip_.end();
   plans_tool_ = false;

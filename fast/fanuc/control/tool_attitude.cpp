@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "fast/arithmetic/wide.h"
+#include "fast/basis/fault.h"
 #include "fast/fanuc/control/read_words.h"
 #include "fast/fanuc/control/tool_attitude.h"
 
@@ -31,7 +32,10 @@ ToolAttitude::ToolAttitude(const spec::Setup& setup, Kinematics& kinematics, con
       machine_(setup, kinematics),
       posture_(setup, machine_),
       tip_(setup, machine_, sink, samples),
-      machine_angles_(setup.rotary_angles == spec::RotaryAngles::machine) {}
+      machine_angles_(setup.rotary_angles == spec::RotaryAngles::machine),
+      cancel_moves_(setup.tip_control_cancel == spec::TipControlCancel::moves && !fault(Fault::cancel_never_moves)) {
+  kinematics_.see_from_table(false);
+}
 
 void ToolAttitude::take_zeros() {
   if (axes_.turning == 0 || !machine_angles_) return;
@@ -92,7 +96,7 @@ std::uint32_t ToolAttitude::tag_direction() {
 void ToolAttitude::end_by_vector_alone(bool again) {
   plans_tool_ = false;
   if (again) return;
-  take_position_along_tool();
+  if (!cancel_moves_) take_position_along_tool();
   positions_.make_stale();
   if (kinematics_.defined())
     turn();

@@ -73,8 +73,11 @@ class ToolAttitude {
   [[nodiscard]] Alarm plan_line(std::int64_t i, std::int64_t j, std::int64_t k);
   // What others see of the tool is as the last one left it.
   void leave_lines() { take_posture(tip_.block().plan.end); }
-  // G49: the programmed position becomes that of the axes. `again`, by another G43.4 or G43.5: that of the tip.
+  // G49: the programmed position becomes that of the axes. `again`, by another G43.4 or G43.5: that of the tip, and so
+  // it does where cancel_moves().
   void end(bool again);
+  // The G49 that ends the mode moves the axes to the programmed position.
+  [[nodiscard]] bool cancel_moves() const { return cancel_moves_; }
 
   // tool_axis of a move at the programmed positions, and what the length along the tool makes of it. Where the setup or
   // the program defines a direction.
@@ -113,7 +116,7 @@ class ToolAttitude {
   // Of a block that asks for a direction: the one commanded or kept, under Q leaned where it can be.
   [[nodiscard]] const Direction& leaned(const Words& words, const std::array<Count, 3>& from);
   [[nodiscard]] bool lean(const Words& words, const std::array<Count, 3>& from, Direction& to_direction) const;
-  [[nodiscard]] Alarm check_workpiece_arc(const RotaryPositions& before) const;
+  [[nodiscard]] Alarm check_workpiece_arc(const RotaryPositions& before, const Pose& start) const;
   void keep_tip_on_table(Mask axes, const Pose& start, const Pose& end, const std::array<Count, 3>& from);
   void take_posture(const Pose& pose);
   [[nodiscard]] bool stands_as_before() const;
@@ -134,6 +137,7 @@ class ToolAttitude {
   ToolPostureControl posture_;
   ToolCenterPointControl tip_;
   bool machine_angles_;  // rotary_angles: machine coordinates turn tool and table
+  bool cancel_moves_;    // tip_control_cancel
   ToolDirections tool_;
   double along_length_ = 0;
 

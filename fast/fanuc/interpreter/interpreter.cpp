@@ -13,6 +13,7 @@ Interpreter::Interpreter(const spec::Setup& setup, Control& control, const Stage
       is_30i_(setup.series == spec::Series::series_30i),
       stages_(stages),
       measurement_(setup),
+      shifts_system_(setup.bit(5006, 6)),
       sink_(sink),
       moves_(&sink),
       tip_lines_(control),
@@ -151,14 +152,19 @@ void Interpreter::other_block(const Words& words) {
 Alarm Interpreter::apply(const Words& words, Command& command) {
   take_codes(words, command);
   const Code one_shot = words.code(Words::kOneShot);
+  bool extra = false;
+  if (shifts_system_) {
+    if (const Alarm a = take_length(words, command, extra)) return a;
+    if (control_.stopped) return AlarmCause::none;
+  }
   BlockArc arc;
   if (const Alarm a = take_arc(words, arc)) return a;
   std::optional<Shifts> shifts;
   if (words.is_tool_offset())
     if (const Alarm a = plan_tool_offset(words, arc, shifts.emplace())) return a;
 
-  bool extra = false;
-  if (const Alarm a = take_length(words, command, extra)) return a;
+  if (!shifts_system_)
+    if (const Alarm a = take_length(words, command, extra)) return a;
   control_.cutter_value.take_number(words);
   Stage* through = nullptr;
   for (const auto& stage : asked_) {
@@ -210,8 +216,10 @@ Alarm Interpreter::take_length(const Words& words, const Command& command, bool&
   if (const Alarm a = length.apply(words, control_.memory, control_.modal.normal_axis())) return a;
   if (length.changed()) positions.make_stale();
   if (command.along) attitude.take_length();
-  // G43.4 and G43.5 always make their move; the G49 that ends them makes none.
-  extra = words.starts_tip_control() || (length.changed() && !command.ends_along && !fault(Fault::zero_move_missing));
+  if (shifts_system_ && !shift_system()) return AlarmCause::none;
+  // G43.4 and G43.5 always make their move; the G49 that ends them makes one where the setup says so.
+  extra = words.starts_tip_control() || (command.ends_along && attitude.cancel_moves()) ||
+          (length.changed() && !command.ends_along && !shifts_system_ && !fault(Fault::zero_move_missing));
   attitude.directions().begin_block();
   if (!command.along) return AlarmCause::none;
   // Moves that a compensation inserts are none of the block.
@@ -223,6 +231,24 @@ Alarm Interpreter::take_length(const Words& words, const Command& command, bool&
   }
   if (!attitude.tip().active() && (!attitude.plans_tool() || attitude.starts())) attitude.direct(words);
   return AlarmCause::none;
+}
+
+// With 5006#6 = 1 a change of the length offset renames the position. False: the run ends here.
+bool Interpreter::shift_system() {
+  AxisPositions& positions = control_.positions;
+  bool shifted = false;
+  for (std::size_t axis = 0; axis < control_.axes.count; ++axis) {
+    const Count change = positions.length().change(axis);
+    if (change.is_zero()) continue;
+    shifted = true;
+    if (!fault(Fault::system_not_shifted)) positions.set(axis, positions.programmed()[axis] - change);
+  }
+  const bool compensated =
+      std::ranges::any_of(asked_, [](const auto& stage) { return stage->on_before() || stage->on_after(); });
+  if (!shifted || !compensated) return true;
+  if (!release_held())
+    control_.end({AlarmCause::none, "fanuc.length-offset.shifted-in-compensation", control_.line, control_.n});
+  return false;
 }
 
 Alarm Interpreter::move(const Words& words, const Command& command, Stage* stage, const OwnMove& own) {

@@ -52,6 +52,7 @@ class Interpreter final : public BlockTaker {
   [[nodiscard]] bool lacks_feed(const Words& words) const;
   [[nodiscard]] Alarm take_arc(const Words& words, BlockArc& arc) const;
   [[nodiscard]] Alarm take_length(const Words& words, const Command& command, bool& extra);
+  [[nodiscard]] bool shift_system();
   // The moves of a block; `stage`: they go through it.
   [[nodiscard]] Alarm move(const Words& words, const Command& command, Stage* stage, const OwnMove& own);
   // Without any stage; without `own` the words move nothing.
@@ -106,6 +107,7 @@ class Interpreter final : public BlockTaker {
   const Stages& stages_;
   std::span<const std::unique_ptr<Stage>> asked_;  // to which a block with commands is shown: all of them, or none
   ToolLengthMeasurement measurement_;
+  bool shifts_system_;  // 5006#6, TOS
   EventSink& sink_;
   EventSink* moves_;  // where uncompensated moves go
   Event move_;        // the next one

@@ -29,6 +29,10 @@ class ToolLengthOffset {
   [[nodiscard]] std::uint16_t live() const { return live_; }      // axes whose offset is not 0
   // Whether the vector, or L, differs from what it was at begin_block().
   [[nodiscard]] bool changed() const;
+  // By how much the vector of an axis differs.
+  [[nodiscard]] Count change(std::size_t axis) const {
+    return (touched_ >> axis & 1U) != 0 ? offset_[axis] - offset_before_[axis] : Count();
+  }
   void begin_block() { touched_ = 0; }
   // Whether restore() may have something to do.
   [[nodiscard]] bool pending() const { return taken_ != 0 || edited_; }

@@ -76,6 +76,7 @@ Alarm ToolSideStage::check(const Words& words, const Command& command) const {
   } else if (arc && after != compensation_.active()) {
     return AlarmCause::arc_at_start_or_cancel;
   }
+  if (arc && after && refuses_arcs_) return AlarmCause::arc_in_compensation;
 
   // The value is read where the number is given, where a code comes into force, and after an edit.
   const CutterValue& value = control_.cutter_value;
@@ -124,6 +125,8 @@ Alarm ToolSideStage::plain_block(const Words& words) {
   } else if (wanted_ != compensation_.active() && names_arc(words, control_.modal.motion(), control_.modal.plane())) {
     return AlarmCause::arc_at_start_or_cancel;
   }
+  if (refuses_arcs_ && wanted_ && names_arc(words, control_.modal.motion(), control_.modal.plane()))
+    return AlarmCause::arc_in_compensation;
   if (const Alarm a = control_.plan_arc(words, arc_, false, false)) return a;
   return pass(words, false, arc_);
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "fast/basis/fault.h"
 #include "fast/fanuc/control/stage.h"
 #include "fast/fanuc/control/usual_space_lines.h"
 #include "fast/fanuc/corner/usual_paths.h"
@@ -21,6 +22,8 @@ class ToolSideStage final : private BlockTaker, public Stage {
   ToolSideStage(const spec::Setup& setup, Control& control, EventSink& sink)
       : Stage(control, true),
         compensation_(setup, control.kinematics, sink),
+        refuses_arcs_(setup.series == spec::Series::series_30i && control.kinematics.type() == 21 &&
+                      !fault(Fault::side_arc_on_mixed)),
         lines_(control),
         paths_(control, compensation_) {}
 
@@ -69,8 +72,9 @@ class ToolSideStage final : private BlockTaker, public Stage {
                     const ToolSideCompensation::TakenLine* before_last);
 
   ToolSideCompensation compensation_;
-  BlockArc arc_;  // of a block under G02 or G03
-  Event place_;   // where a block starts that changes the workpiece system
+  bool refuses_arcs_;  // 30i, mixed machine
+  BlockArc arc_;       // of a block under G02 or G03
+  Event place_;        // where a block starts that changes the workpiece system
   bool renames_ = false;
   CutterSide word_ = CutterSide::off;
   int sign_ = 1;         // +1 left: by code and sign of the value

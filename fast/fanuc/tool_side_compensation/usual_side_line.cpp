@@ -7,7 +7,7 @@
 namespace toolcomp::fast {
 
 void ToolSideStage::await_usual() {
-  if (compensation_.awaits_paths() && paths_.await()) return;
+  if (!refuses_arcs_ && compensation_.awaits_paths() && paths_.await()) return;
   if (compensation_.awaits_line() && lines_.await(*this)) compensation_.await_lines(lines_.are_plain());
 }
 

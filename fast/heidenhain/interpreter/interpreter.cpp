@@ -118,8 +118,8 @@ Interpreter::Functions Interpreter::functions(const Block& block) {
 void Interpreter::start_acting(Functions functions) {
   if ((functions & kOversize) != 0) oversize_ = true;
   if ((functions & kTcpm) != 0) {
-    tcpm_ = true;
-    if (!fault(Fault::klartext_reference_stays)) center_ = false;
+    switch_tcpm_on();
+    if (!fault(Fault::klartext_reference_stays)) center_ = setup_.m128_reference == spec::M128Reference::center;
   }
 }
 
@@ -129,7 +129,19 @@ void Interpreter::end_acting(Functions functions) {
   if ((functions & kEnd) != 0) end();
 }
 
+// The tool stands as the rotary axes stand.
+void Interpreter::switch_tcpm_on() {
+  if (tcpm_) return;
+  tcpm_ = true;
+  face_.keep_tool();
+  if (by_vector_)
+    direction_->copy(left_);
+  else if (!fault(Fault::klartext_tcpm_along_axis))
+    turn_by_positions();
+}
+
 void Interpreter::switch_tcpm_off() {
+  if (tcpm_ && by_vector_) left_.copy(*direction_);
   tcpm_ = false;
   face_.keep_tool();
   direction_->set_axis(tool_axis_);
@@ -167,7 +179,7 @@ Alarm Interpreter::execute(const Block& block, Functions functions) {
     case Statement::tool_call:
       return tool_call(block);
     case Statement::tcpm:
-      tcpm_ = true;
+      switch_tcpm_on();
       center_ = block.reference == ReferenceWord::center_center;
       break;
     case Statement::reset_tcpm:

@@ -52,8 +52,13 @@ class Interpreter {
   [[nodiscard]] Alarm tool_call(const Block& block);
   [[nodiscard]] Alarm datum_shift(const Block& block);
   [[nodiscard]] Alarm assign(const Block& block);
+  void switch_tcpm_on();
   void switch_tcpm_off();
+  // The rotary positions turn the tool from its axis.
+  void turn_by_positions();
+  // Of a vector under TCPM.
   [[nodiscard]] ToolVector& new_direction() {
+    by_vector_ = true;
     direction_ = direction_ == direction_of_.data() ? &direction_of_[1] : direction_of_.data();
     return *direction_;
   }
@@ -99,10 +104,12 @@ class Interpreter {
 
   // Modal state.
   bool tcpm_ = false;
-  bool center_ = false;    // REFPNT CNT-CNT
-  bool contour_ = false;   // PROG PATH IS CONTOUR
-  bool oversize_ = false;  // M107
-  int side_ = 0;           // RL 1, RR −1, R0 0
+  bool by_vector_ = false;  // a vector turned the tool, and no rotary word came after it
+  ToolVector left_;         // where TCPM was switched off and by_vector_: where the tool stands
+  bool center_ = false;     // REFPNT CNT-CNT
+  bool contour_ = false;    // PROG PATH IS CONTOUR
+  bool oversize_ = false;   // M107
+  int side_ = 0;            // RL 1, RR −1, R0 0
   std::size_t tool_axis_ = 2;
   // Of the tool now; along the tool axis while TCPM is off. LN blocks write it to two places in turn: face milling
   // looks back at the one before.

@@ -23,6 +23,10 @@ void Interpreter::set_position(std::size_t slot, const Count& value) {
   write_position(slot, value.nearest());
 }
 
+void Interpreter::turn_by_positions() {
+  direction_->turn(tool_axis_, {position_[kRotarySlot], position_[kRotarySlot + 1], position_[kRotarySlot + 2]});
+}
+
 void Interpreter::modal_words(const Block& block) {
   switch (block.radius) {
     case RadiusWord::none:
@@ -140,8 +144,10 @@ Alarm Interpreter::line(const Block& block, Functions functions) {
   head_.feed = feed_;
   head_.warnings = block.many_digits ? kDigits : 0;
   if (const Alarm a = place(block, functions)) return a;
-  if (tcpm_ && (block.axes & kRotarySlots) != 0)
-    direction_->turn(tool_axis_, {position_[kRotarySlot], position_[kRotarySlot + 1], position_[kRotarySlot + 2]});
+  if ((block.axes & kRotarySlots) != 0) {
+    by_vector_ = false;
+    if (tcpm_) turn_by_positions();
+  }
   if (side_ == 0) {
     plain_motion();
     return AlarmCause::none;

@@ -222,6 +222,12 @@ Setup random_setup(Choices& choose, Kinematics wanted) {
   for (const int bit : {0, 1, 2, 3, 6})
     if (choose.chance(40)) set_bit(setup, 5001, bit, choose.chance(70));
   if (choose.chance(12)) set_bit(setup, 3401, 0, choose.chance(30));
+  if (choose.chance(15)) set_bit(setup, 5006, 6, choose.chance(80));
+  if (choose.chance(40)) setup.series = spec::Series::series_30i;
+  if (wanted != Kinematics::none && setup.series == spec::Series::series_30i) {
+    if (choose.chance(40)) set_bit(setup, 19746, 4, choose.chance(80));
+    if (choose.chance(15)) set_bit(setup, 19696, 5, choose.chance(80));
+  }
 
   setup.memory =
       choose.one_of({spec::OffsetMemory::a, spec::OffsetMemory::a, spec::OffsetMemory::b, spec::OffsetMemory::c});

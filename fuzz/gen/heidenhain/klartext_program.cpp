@@ -486,6 +486,7 @@ void KlartextProgram::approach() {
   at_[2] = choose_.between(10, 100) * one_;
   write_.word("L");
   write_.number("Z", at_[2], decimals_);
+  if (!tcpm_ && choose_.chance(25)) rotary_words();
   write_.word(choose_.one_of({"R0 FMAX", "R0 FMAX M3", "FMAX", "R0"}));
   side_ = Side::none;
   had_normal_ = false;

@@ -135,6 +135,7 @@ spec::Setup random_heidenhain_setup(Choices& choose) {
   setup.axes = spec::Axes(choose.one_of({"XYZABC", "XYZABC", "XYZABC", "XYZ", "XYZBC", "CBZYX", "XYZABCUVW", "XYZAC"}));
   if (choose.chance(8)) setup.units = spec::Units::inch;
   setup.block_skip = choose.chance(15);
+  if (choose.chance(25)) setup.m128_reference = spec::M128Reference::center;
   const bool deviating = choose.chance(22);
   if (deviating) setup.dr2_tables["DEV"] = deviations(choose);
   const auto rows = static_cast<std::uint32_t>(choose.between(1, 3));

@@ -137,6 +137,8 @@ bool FanucBlock::is_plain() const {
 
 FanucProgram::FanucProgram(const spec::Case& c) {
   if (c.setup.control != spec::Control::fanuc) return;
+  length_renames_ = c.setup.bit(5006, 6);
+  any_block_may_ = c.setup.bit(5001, 6);
   FanucBlock state;
   state.inches = c.setup.units == spec::Units::inch;
   try {
@@ -193,9 +195,12 @@ bool FanucProgram::has_code(std::initializer_list<int> codes) const {
 }
 
 bool FanucProgram::renames(std::size_t from, std::size_t to) const {
+  if (length_renames_ && any_block_may_) return true;
   for (std::size_t i = from + 1; i <= to && i < blocks_.size(); ++i)
-    for (const spec::Word& w : blocks_[i].words)
+    for (const spec::Word& w : blocks_[i].words) {
       if (w.address == 'G' && is_renaming(code_of(w.value))) return true;
+      if (length_renames_ && (w.address == 'H' || (w.address == 'G' && is_length(code_of(w.value))))) return true;
+    }
   return false;
 }
 

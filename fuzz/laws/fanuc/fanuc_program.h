@@ -65,6 +65,8 @@ class FanucProgram {
  private:
   std::vector<FanucBlock> blocks_;
   bool calls_ = false;
+  bool length_renames_ = false;  // 5006#6 = 1: a length offset shifts the coordinate system
+  bool any_block_may_ = false;   // and with 5001#6 = 1 any block may bring one into force
 };
 
 // Offsets as they stand in the setup, setup units; nothing where the number is none.

@@ -96,6 +96,28 @@ void length_offset_stays(const FanucScene& s, Holding& holding) {
   }
 }
 
+void by_the_words_alone(const FanucScene& s, Holding& holding) {
+  const auto selects = [](const FanucBlock& b) { return b.compensation != 400 || b.system != 1; };
+  if (!s.c.setup.bit(5006, 6) || leaves_the_path(s) || std::ranges::any_of(s.program.blocks(), selects) ||
+      s.program.has_code({434, 435, 450, 460, 470, 480, 520, 540, 920}))
+    return;
+  const std::size_t end = first_edit(s);
+  for (std::size_t i = 1; i < s.stops.size() && s.stops[i].block < end; ++i) {
+    const FanucBlock& b = s.block(s.stops[i]);
+    if (b.absolute || b.inches != (s.c.setup.units == spec::Units::inch) || b.has_code(390)) continue;
+    const auto before = xyz(s.c.setup.axes, s.stops[i - 1].own->axes);
+    const auto after = xyz(s.c.setup.axes, s.stops[i].own->axes);
+    if (!before || !after) continue;
+    for (std::size_t k = 0; k < kLetters.size(); ++k) {
+      const auto words = std::ranges::count(b.words, kLetters[k], &spec::Word::address);
+      const spec::Decimal* word = b.value(kLetters[k]);
+      if (words > 1 || (word != nullptr && !word->point)) continue;
+      const Real travel = word == nullptr ? Real(0) : Real(rational(*word));
+      holding.zero(after->at(k) - before->at(k) - travel, s.stops[i].event, "travel of the axis, less its word");
+    }
+  }
+}
+
 void signed_sums(const FanucScene& s, Holding& holding) {
   const auto compensated = [](const FanucBlock& b) { return b.compensation != 400; };
   if (leaves_the_path(s) || s.program.has_code({100, 370, 520, 920}) || s.names_other_points() ||

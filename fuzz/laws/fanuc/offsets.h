@@ -15,6 +15,12 @@ void length_offset(const FanucScene& scene, Holding& holding);
 // Chapter 14, 14.1.1 (modal). Exempt as above, and wherever coordinates may be renamed or G43.4, G43.5 are in force.
 void length_offset_stays(const FanucScene& scene, Holding& holding);
 
+// With 5006#6 = 1 the length offset moves nothing: under G91 the axes go by the words of the block, whatever G43, G44,
+// G49 and H stand in it or before it. B-63943EN-1/02 p.1654. Words with a decimal point, in the units of the setup.
+// Exempt as above, and programs with compensation, G45 to G48, G43.4, G43.5, G52, G92 or a change of the workpiece
+// system.
+void by_the_words_alone(const FanucScene& scene, Holding& holding);
+
 // The shift between programmed and actual position grows in every commanded axis by the offset, once or twice, with the
 // sign of the travel; nothing else changes it. Chapter 14, 14.3, table 14.1. Not for the first block (its travel is not
 // known), with 5001#2 or 5001#5 = 1 (H may be the number), nor in programs with compensation, G10, G28 to G30, G37,

@@ -85,6 +85,29 @@ void tip_of_the_axes(const FanucScene& s, Holding& holding) {
   });
 }
 
+void offset_taken_back(const FanucScene& s, Holding& holding) {
+  if (s.c.setup.tip_control_cancel != spec::TipControlCancel::moves) return;
+  constexpr std::string_view words = "XYZUVWABCIJKRH";
+  in_each_run(s, [&](const Machine& machine, const Run& run) {
+    if (run.poses.empty() || run.poses.back().index + 1 >= s.events.size()) return;
+    const Pose& last = run.poses.back();
+    const model::Event& event = s.events[last.index + 1];
+    const std::size_t block = s.program.index(event.line);
+    if (event.kind != spec::EventKind::move || block >= s.program.blocks().size()) return;
+    const FanucBlock& b = s.program.blocks()[block];
+    if (b.length != 490 || !b.has_code(490) || b.compensation != 400) return;
+    if (b.has_code(434) || b.has_code(435) || std::ranges::any_of(words, [&](char letter) { return b.has(letter); }))
+      return;
+    for (std::size_t i = last.block + 1; i < block; ++i)
+      if (s.program.blocks()[i].has_code(490)) return;
+    const auto q = tip_on_table(machine, run, last);
+    const auto axes = xyz(s.c.setup.axes, event.axes);
+    if (q && axes)
+      holding.zero(machine.in_machine(last.turns, *q) - run.mode.origin - *axes, last.index + 1,
+                   "tip before G49, less the axes after it");
+  });
+}
+
 void tip_on_the_path(const FanucScene& s, Holding& holding) {
   in_each_run(s, [&](const Machine& machine, const Run& run) {
     for (const Block& block : sampled_blocks(run)) {

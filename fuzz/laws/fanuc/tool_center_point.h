@@ -25,6 +25,10 @@ void tip_of_the_axes(const FanucScene& scene, Holding& holding);
 // under WKP = 1 are exempt.
 void tip_on_the_path(const FanucScene& scene, Holding& holding);
 
+// With tip_control_cancel = moves a G49 alone takes the offset back: the axes go to where the tip was in the workpiece
+// system, with the table as it stands. Exempt as tip_of_the_axes.
+void offset_taken_back(const FanucScene& scene, Holding& holding);
+
 // Under P1 the tool stays in the plane of its directions at both ends, and turns by equal angles.
 // fanuc.tool-posture.great-circle. Not in a block with a warning (posture-branch), with parallel ends, on machines that
 // cannot lean the tool any way, or where its end was changed, or may have been.

@@ -98,6 +98,28 @@ void direction_of_the_tool(const KlartextScene& s, Holding& holding) {
   });
 }
 
+void tool_as_the_axes_stand(const KlartextScene& s, Holding& holding) {
+  for_each_move(s, [&](const Move& move) {
+    const KlartextBlock& b = *move.block;
+    if (b.statement != Statement::line || !b.tcpm || !b.rotary) return;
+    Vector expected = axis_of(b.axis);
+    std::size_t turned = 0;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      const Rational& degrees = b.rotary->at(i);
+      if (degrees == 0) continue;
+      if (++turned > 1) return;
+      const Real sine = exact::sin_degrees(degrees);
+      const Real cosine = exact::cos_degrees(degrees);
+      Real& y = expected.at((i + 1) % 3);
+      Real& z = expected.at((i + 2) % 3);
+      const Real before = y;
+      y = cosine * before - sine * z;
+      z = sine * before + cosine * z;
+    }
+    holding.zero(move.tool - expected, move.index, "tool axis, less that of the rotary positions");
+  });
+}
+
 void length_along_the_tool(const KlartextScene& s, Holding& holding) {
   for_each_move(s, [&](const Move& move) {
     const auto axes = xyz(s.c.setup.axes, move.event->axes);

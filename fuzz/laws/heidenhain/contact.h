@@ -24,6 +24,11 @@ void nominal_tool_touches(const KlartextScene& scene, Holding& holding);
 // heidenhain.face.tool-vector, -without-tcpm. LN blocks.
 void direction_of_the_tool(const KlartextScene& scene, Holding& holding);
 
+// Under TCPM the tool stands as its rotary axes stand, whenever they were positioned and TCPM was switched on: along
+// the tool axis where A, B and C are 0, and where one of them is not, turned by it right-handed about X, Y or Z. L
+// blocks; not where several have turned, or where the words of the program do not say it.
+void tool_as_the_axes_stand(const KlartextScene& scene, Holding& holding);
+
 // Lengths act along the tool: axes = tip + dL t, carrier = axes + L t, tool shift = shift + dL t.
 // heidenhain.program.length-along-the-tool.
 void length_along_the_tool(const KlartextScene& scene, Holding& holding);

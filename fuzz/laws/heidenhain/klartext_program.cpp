@@ -40,7 +40,9 @@ Vector vector(const std::array<spec::Decimal, 3>& words) {
 
 class State {
  public:
-  explicit State(const spec::Setup& setup) : setup_(setup), inch_(setup.units == spec::Units::inch) {}
+  explicit State(const spec::Setup& setup) : setup_(setup), inch_(setup.units == spec::Units::inch) {
+    state_.rotary = std::make_shared<const std::array<Rational, 3>>();
+  }
 
   KlartextBlock read_block(const Block& b) {
     // Members that a statement does not have keep what they held.
@@ -50,7 +52,7 @@ class State {
     for (std::size_t i = 0; has_functions && i < b.functions; ++i) {
       if (b.function.at(i) == 128) {
         state_.tcpm = true;
-        state_.center = false;
+        state_.center = setup_.m128_reference == spec::M128Reference::center;
       }
       ends_tcpm = ends_tcpm || b.function.at(i) == 129;
     }
@@ -93,6 +95,7 @@ class State {
       if (b.has_normal) state_.normal = vector(b.normal);
       if (b.has_tool_vector) state_.tool = vector(b.tool_vector);
     }
+    turn(b);
     if (stale_) state_.cutter = cutter();
     stale_ = false;
     const KlartextBlock now = state_;
@@ -103,7 +106,10 @@ class State {
  private:
   void call(const Block& b) {
     stale_ = true;
-    if (b.tool_axis != 0) state_.axis = b.tool_axis;
+    if (b.tool_axis != 0) {
+      if (state_.tcpm && b.tool_axis != state_.axis) state_.rotary = nullptr;
+      state_.axis = b.tool_axis;
+    }
     if (b.tool != ToolWord::none) {
       tool_ = nullptr;
       for (const spec::ToolRow& row : setup_.tools)
@@ -119,6 +125,27 @@ class State {
     known_ = read(b.dl, called_.l) && known_;
     known_ = read(b.dr, called_.r) && known_;
     known_ = read(b.dr2, called_.r2) && known_;
+  }
+
+  void turn(const Block& b) {
+    if (!state_.rotary) return;
+    if (b.statement == Statement::line_with_vectors && state_.tcpm) {
+      state_.rotary = nullptr;
+      return;
+    }
+    constexpr std::size_t first = spec::klartext::kAxisLetters.find('A');
+    constexpr unsigned slots = 0b111U << first;
+    const bool moves = b.statement == Statement::line;
+    if ((!moves && b.statement != Statement::cycle) || (b.axes & slots) == 0) return;
+    auto at = std::make_shared<std::array<Rational, 3>>(*state_.rotary);
+    bool known = moves;
+    for (std::size_t i = 0; i < at->size(); ++i) {
+      if (!b.has_axis(first + i)) continue;
+      const Value& word = b.axis.at(first + i);
+      known = known && word.parameter.kind == ParameterKind::none;
+      if (known) at->at(i) = rational(word.number) + (b.is_incremental(first + i) ? at->at(i) : Rational(0));
+    }
+    state_.rotary = known ? at : nullptr;
   }
 
   [[nodiscard]] std::shared_ptr<const Cutter> cutter() const {

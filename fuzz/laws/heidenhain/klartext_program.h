@@ -3,6 +3,7 @@
 // text; nothing here knows a rule of compensation.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -30,6 +31,9 @@ struct KlartextBlock {
   bool center = false;   // CNT-CNT: the programmed point is the tool centre
   bool contour = false;  // PROG PATH IS CONTOUR
   char axis = 'Z';
+  // Positions of A, B and C by their words, degrees. Nothing where they do not say how the tool stands: a parameter, a
+  // vector or another tool axis under TCPM came before.
+  std::shared_ptr<const std::array<Rational, 3>> rotary;
   std::shared_ptr<const Cutter> cutter;  // nothing where it cannot be known from the text (parameters, no tool)
   std::optional<Vector> normal;
   std::optional<Vector> tool;

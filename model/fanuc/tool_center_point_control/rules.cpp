@@ -82,27 +82,34 @@ Vector TipRules::lean_travel(const Leg& leg) const {
   return tangent;
 }
 
-// fanuc.tool-center-point.arc-in-workpiece-system: With WKP = 1 an arc raises PS5421 where a table axis whose direction
-// is not normal to the plane selected turns in it, or stands elsewhere at its start than at the frozen pose (whole
-// turns count). The direction is that of the axis at its own place of the machine with both axes at 0. Tool axes are
-// free.
+// fanuc.tool-center-point.arc-in-workpiece-system: With WKP = 1 only a table axis that is normal to the plane selected,
+// as it stands in the machine at the start of the block, may turn in an arc. Every other table axis has to stand, at
+// both ends, where it stood when tool center point control began, at the frozen pose (whole turns count); else PS5421.
+// Tool axes are free.
 // fanuc.tool-center-point.arc-with-table-turned: With WKP = 1 the manual lets a table axis normal to the plane turn in
-// an arc, but not what path the tip then has: an arc with such an axis turning in it, or standing elsewhere than at the
-// frozen pose, raises ARC_WITH_TABLE_TURNED, a name of ours, behind PS5421 of the clause before. Where no table axis
-// has moved the workpiece system is the table system.
+// an arc, but not what path the tip then has: an arc with such an axis turning in it, or turned since tool center point
+// control began, raises ARC_WITH_TABLE_TURNED, a name of ours, behind PS5421 of the clause before. An axis turned
+// before that is no matter: where no table axis has moved since, the workpiece system is the table system.
+//
+// The first axis of a table carries the second. Where the first turns it is normal to the plane, so that the second
+// keeps its angle to the normal: its line at the start decides for the whole block.
 void TipRules::require_table_still(const Machine& machine, spec::Plane plane, const Pose& start, const Pose& end,
                                    const Pose& frozen) const {
+  Vector normal;
+  component(normal, normal_axis(plane)) = 1;
   bool turned_about_normal = false;
-  const auto look_at = [&](const Turn& axis, Angle Pose::* position) {
+  const auto look_at = [&](const Vector& line, Angle Pose::* position) {
     if (end.*position == start.*position && start.*position == frozen.*position) return;
-    Vector normal;
-    component(normal, normal_axis(plane)) = 1;
-    if (!is_zero(cross(axis.line, normal)))
+    if (!is_zero(cross(line, normal)))
       raise(recorder_, Clause::fanuc_tool_center_point_arc_in_workpiece_system, AlarmCause::table_turned_in_arc);
     turned_about_normal = true;
   };
-  if (machine.type() == MachineType::table) look_at(machine.tool_side(), &Pose::tool);
-  look_at(machine.work_side(), &Pose::work);
+  if (machine.type() == MachineType::table) {
+    look_at(machine.tool_side().line, &Pose::tool);
+    look_at(machine.tool_side().apply_back(machine.work_side().line, start.tool), &Pose::work);
+  } else {
+    look_at(machine.work_side().line, &Pose::work);
+  }
   if (turned_about_normal)
     raise(recorder_, Clause::fanuc_tool_center_point_arc_with_table_turned, AlarmCause::arc_with_table_turned);
 }

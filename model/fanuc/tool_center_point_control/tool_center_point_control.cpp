@@ -74,6 +74,7 @@ ToolCenterPointControl::ToolCenterPointControl(const spec::Setup& setup, Recorde
       axes_(setup.axes),
       rules_(setup.axes, recorder),
       by_machine_(setup.rotary_angles == spec::RotaryAngles::machine),
+      cancel_moves_(setup.tip_control_cancel == spec::TipControlCancel::moves),
       kinematics_(setup),
       holder_offset_(parameter(setup, 19666)),
       posture_by_default_(setup.bit(19604, 0)),
@@ -127,6 +128,10 @@ ToolAtEnd ToolCenterPointControl::at(const Position& end) {
   // the rotary axes at the end of the block. A setup without rotary axes that turn the tool has VT = (0, 0, 1), and its
   // events carry no tool axis.
   recorder_.decide(Clause::fanuc_tool_direction_of_pose, kinematics_.present());
+  // fanuc.tool-direction.table-stands: On machines with table axes of the 30i, outside tool center point control,
+  // compensation is programmed in the workpiece system, which stands while the table turns: VT is the direction of the
+  // tool in the machine.
+  if (kinematics_.has_table()) recorder_.decide(Clause::fanuc_tool_direction_table_stands, kinematics_.table_stands());
   decide_angles();
   follow(end);
   return standing();
@@ -140,6 +145,10 @@ void ToolCenterPointControl::follow(const Position& position) {
 // fanuc.tool-center-point.end: G49 ends tool center point control without a move and without an event: the programmed X
 // Y Z become those of the axes, without a shift left by G45 to G48, which stays; the rotary positions stay. G54 to G59
 // in the same block count after that; axis words of the block move from there.
+// fanuc.tool-center-point.end-moves: With the setup key tip_control_cancel = moves the G49 that ends tool center point
+// control takes the offset back: the programmed X Y Z stay those of the tip, seen in the workpiece system where a table
+// has turned it, and the block makes one move, also without an axis word, in which the linear axes go to the programmed
+// position without the vector from tip to control point.
 // fanuc.tool-center-point.again: G43.4 or G43.5 under tool center point control, the same code or the other, ends it
 // and starts it anew: before the words of the block count the tip stays where it is, the programmed X Y Z become its
 // coordinates in the workpiece system at the present pose (without a shift left by G45 to G48, which stays), and the
@@ -151,17 +160,18 @@ void ToolCenterPointControl::rename_position(const TipMarks& marks, const Leg& s
   const bool on_table = tip_->frame && machine_->type() != MachineType::head;
   const Vector shift = shift_of(standing, axes_);
   const Vector tip = in_space(standing.end, axes_) + shift;
-  if (marks.ends) {
+  const bool stays = marks.ends && !recorder_.decide(Clause::fanuc_tool_center_point_end_moves, marks.takes_back);
+  if (stays) {
     recorder_.reach(Clause::fanuc_tool_center_point_end);
     if (on_table)
       interpreter.stand_in_space(control_point(*tip_, {tip, tool_.unit}) - shift);
     else
       interpreter.shift_position(control_point(*tip_, {Vector(), tool_.unit}));
-  } else if (marks.again) {
-    recorder_.reach(Clause::fanuc_tool_center_point_again);
-    if (on_table && !tip_->in_workpiece)
-      interpreter.stand_in_space(tip_->frame->frame.in_workpiece(tip, tip_->pose) - shift);
+    return;
   }
+  if (marks.again) recorder_.reach(Clause::fanuc_tool_center_point_again);
+  if (on_table && !tip_->in_workpiece)
+    interpreter.stand_in_space(tip_->frame->frame.in_workpiece(tip, tip_->pose) - shift);
 }
 
 // fanuc.tool-center-point.length: The length L along the tool is the offset of the H number plus the tool holder offset

@@ -25,6 +25,7 @@ struct TipMarks {
   bool starts = false;       // the block of G43.4 or G43.5
   bool again = false;        // under the one or the other
   bool ends = false;         // G49 that ends it
+  bool takes_back = false;   // and moves the axes by what ends (tip_control_cancel)
   bool tip_control = false;  // in force in this block
   bool directed = false;     // and of type 2: I J K are a direction
 };
@@ -106,7 +107,8 @@ class ToolCenterPointControl {
   const WorkCoordinates& work_;
   spec::Axes axes_;
   TipRules rules_;
-  bool by_machine_;  // rotary_angles
+  bool by_machine_;    // rotary_angles
+  bool cancel_moves_;  // tip_control_cancel
   Kinematics kinematics_;
   std::optional<Machine> machine_;  // none: 19680 = 0
   std::optional<PairChoice> choice_;

@@ -34,6 +34,7 @@ TipMarks ToolCenterPointControl::read(const Command& command, const ToolLengthOf
   marks.starts = code && is_tip_control(*code);
   marks.again = marks.starts && length.tip_control();
   marks.ends = length.tip_control() && code == LengthCode::cancel;
+  marks.takes_back = marks.ends && cancel_moves_;
   marks.tip_control = marks.starts || (length.tip_control() && !marks.ends);
   marks.directed = marks.tip_control && (marks.starts ? code == LengthCode::tool_direction : length.directed());
   if (!marks.tip_control && !marks.ends) return marks;
@@ -120,8 +121,8 @@ void ToolCenterPointControl::restrict_compensation(const Command& command, const
   const bool on_table = machine_ && machine_->programs_workpiece() && machine_->type() != MachineType::head;
   // fanuc.tool-center-point.compensation-in-workpiece-system: With WKP = 1 on a machine with a table axis (19680 = 12,
   // 21) COMPENSATION_IN_WORKPIECE_SYSTEM, a name of ours, is raised by a block under G43.4 after which tool side
-  // compensation or the leading edge offset is on. The manual allows it by a further parameter (19746 bit 4), which is
-  // not built: set or not, the block is refused.
+  // compensation or the leading edge offset is on. What 19746 bit 4 says is of compensation outside tool center point
+  // control (fanuc.tool-direction.table-stands): set or not, the block is refused.
   if (marks.tip_control && on_table && in_space.after)
     raise(recorder_, Clause::fanuc_tool_center_point_compensation_in_workpiece_system,
           AlarmCause::compensation_in_workpiece_system);

@@ -31,6 +31,8 @@ ToolSideCompensation::ToolSideCompensation(const Place& place)
       axes_(place.setup.axes),
       limit_(place.setup.parameter(19630) ? plain(*place.setup.parameter(19630)) : Rational(0)),
       type_c_(place.setup.bit(5003, 1)),
+      on_mixed_machine_(parameter(place.setup, 19680) == 21),
+      series_30i_(place.setup.series == spec::Series::series_30i),
       ahead_(place, *this,
              {LookAhead::Between::at_last_head, Clause::fanuc_tool_side_one_block_without_movement,
               Clause::fanuc_tool_side_no_next_block, blocks_read(place.setup) - 1}) {}
@@ -71,6 +73,12 @@ void ToolSideCompensation::check(const ToolSideBlock& words) const {
   // speaks of the mode.
   if (words.arc_words && (starts || cancels))
     raise(recorder(), Clause::fanuc_cutter_c_start_or_cancel_in_arc, AlarmCause::arc_at_start_or_cancel);
+  // fanuc.tool-side.arc-on-mixed-machine: On the 30i only G00 and G01 are allowed in compensation on a mixed machine
+  // (19680 = 21): an arc, told by the words as in fanuc.cutter-c.start-or-cancel-in-arc, in a block after which tool
+  // side compensation is on raises PS5461. The 16i runs it.
+  if (words.arc_words && words.wanted() && on_mixed_machine_ &&
+      recorder().decide(Clause::fanuc_tool_side_arc_on_mixed_machine, series_30i_))
+    throw Alarm(AlarmCause::arc_in_compensation);
 }
 
 void ToolSideCompensation::forbid(const ToolSideBlock& words) const {

@@ -98,8 +98,10 @@ class ToolSideCompensation final : public StageOf<ToolSideBlock>, private Corner
   SideRules rules_;
   PlaneChangeCheck plane_change_;
   spec::Axes axes_;
-  Rational limit_;  // 19630, setup units
-  bool type_c_;     // 5003#1, SUV
+  Rational limit_;         // 19630, setup units
+  bool type_c_;            // 5003#1, SUV
+  bool on_mixed_machine_;  // 19680 = 21
+  bool series_30i_;
 
   LookAhead ahead_;
   CompensationPlane corner_plane_;  // in which the group was made at which the tool is

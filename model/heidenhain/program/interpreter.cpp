@@ -30,7 +30,7 @@ Interpreter::Interpreter(const spec::Setup& setup, Recorder& recorder)
       values_(setup, recorder),
       position_(values_, recorder),
       tool_(setup, values_, recorder),
-      direction_(recorder),
+      direction_(position_, recorder),
       feed_(values_) {}
 
 std::optional<Motion> Interpreter::read(const Block& block) {
@@ -60,7 +60,7 @@ void Interpreter::begin(const Block& block) {
 }
 
 void Interpreter::act_at_start(const Functions& functions) {
-  if (functions.m128) direction_.function_m128();
+  if (functions.m128) direction_.function_m128(setup_.m128_reference == spec::M128Reference::center);
   // heidenhain.program.oversize-switch: M107 permits positive deltas from the start of its block on, M108 ends that at
   // the end of its block.
   if (functions.m107) oversize_allowed_ = recorder_.decide(Clause::heidenhain_program_oversize_switch, true);
@@ -187,7 +187,7 @@ void Interpreter::direct(Motion& motion, const Block& block) {
   if (motion.vectors)
     take_vectors(motion, block);
   else
-    direction_.take_rotary_words(block, position_);
+    direction_.take_rotary_words(block);
   motion.direction = direction_.current();
 }
 

@@ -21,11 +21,12 @@ void ToolDirection::tool_axis(char letter) {
   if (!tcpm_) current_ = axis_;
 }
 
-void ToolDirection::function_m128() {
-  // heidenhain.program.tcpm-on: M128 switches TCPM on at the start of its block, FUNCTION TCPM by itself. The reference
-  // point of M128 is the tip, also where FUNCTION TCPM had set another; FUNCTION TCPM without REFPNT is TIP-TIP.
+void ToolDirection::function_m128(bool center) {
+  // heidenhain.program.tcpm-on: M128 switches TCPM on at the start of its block, FUNCTION TCPM by itself.
   recorder_.decide(Clause::heidenhain_program_tcpm_on, true);
-  switch_on(false);
+  // heidenhain.program.m128-reference: The reference point of M128 is set by a machine parameter, also where FUNCTION
+  // TCPM had set another: with the setup key m128_reference the tip, or the centre as under CNT-CNT.
+  switch_on(recorder_.decide(Clause::heidenhain_program_m128_reference, center));
 }
 
 void ToolDirection::function_tcpm(ReferenceWord reference) {
@@ -34,46 +35,53 @@ void ToolDirection::function_tcpm(ReferenceWord reference) {
 }
 
 void ToolDirection::switch_on(bool center) {
-  tcpm_ = true;
   center_ = center;
+  if (tcpm_) return;
+  tcpm_ = true;
+  // heidenhain.program.tcpm-direction: Where TCPM goes on nothing turns: the tool stands as the rotary axes stand. They
+  // stand at the values programmed last, also those of blocks without TCPM, or where a tool vector or a normal turned
+  // the tool, if no rotary word came after it.
+  current_ = recorder_.decide(Clause::heidenhain_program_tcpm_direction, by_vector_) ? left_ : turned();
 }
 
 void ToolDirection::tcpm_off(bool m129) {
   // heidenhain.program.tcpm-off: M129 switches TCPM off at the end of its block, FUNCTION RESET TCPM by itself. The
   // tool is then along the tool axis.
   recorder_.decide(Clause::heidenhain_program_tcpm_off, m129);
+  if (tcpm_ && by_vector_) left_ = current_;
   tcpm_ = false;
   current_ = axis_;
 }
 
-void ToolDirection::take_rotary_words(const spec::klartext::Block& block, const ProgrammedPosition& position) {
+void ToolDirection::take_rotary_words(const spec::klartext::Block& block) {
+  bool rotary_word = false;
+  for (std::size_t slot = kFirstRotarySlot; slot < kFirstParallelSlot; ++slot) rotary_word |= block.has_axis(slot);
+  by_vector_ = by_vector_ && !rotary_word;
   if (!tcpm_) {
     // heidenhain.program.direction-without-tcpm: Without TCPM the tool is along the tool axis whatever rotary words and
     // tool vectors say; rotary words are remembered.
     recorder_.reach(Clause::heidenhain_program_direction_without_tcpm);
     return;
   }
-  bool rotary_word = false;
-  for (std::size_t slot = kFirstRotarySlot; slot < kFirstParallelSlot; ++slot) rotary_word |= block.has_axis(slot);
   // heidenhain.program.direction-of-rotary-axes: Under TCPM a block L with a rotary word turns the tool by A, B, C in
   // this order about the fixed axes X, Y, Z; rotary axes without a word keep the value programmed last.
   if (!recorder_.decide(Clause::heidenhain_program_direction_of_rotary_axes, rotary_word)) return;
-  const auto degrees = [&position](std::size_t slot) { return position.at(slot).rational(); };
-  current_ = turned(degrees(kFirstRotarySlot), degrees(kFirstRotarySlot + 1), degrees(kFirstRotarySlot + 2));
+  current_ = turned();
 }
 
-Direction ToolDirection::turned(const Rational& a, const Rational& b, const Rational& c) const {
+Direction ToolDirection::turned() const {
   Vector v = axis_.vector;
-  const auto turn = [](Real& x, Real& y, const Rational& degrees) {
+  const auto turn = [this](Real& x, Real& y, std::size_t slot) {
+    const Rational degrees = position_.at(slot).rational();
     const Real cosine = exact::cos_degrees(degrees);
     const Real sine = exact::sin_degrees(degrees);
     const Real before = x;
     x = cosine * x - sine * y;
     y = sine * before + cosine * y;
   };
-  turn(v.y, v.z, a);
-  turn(v.z, v.x, b);
-  turn(v.x, v.y, c);
+  turn(v.y, v.z, kFirstRotarySlot);
+  turn(v.z, v.x, kFirstRotarySlot + 1);
+  turn(v.x, v.y, kFirstRotarySlot + 2);
   return {v, 1, v, true};  // turns keep its length 1
 }
 

@@ -12,10 +12,12 @@ namespace toolcomp::model::klartext {
 // The direction of a vector of rational components, not all zero.
 Direction direction_of(const Vector& vector);
 
-// Clauses: heidenhain.program.tcpm-on, .tcpm-off, .direction-without-tcpm, .direction-of-rotary-axes, .tool-axis.
+// Clauses: heidenhain.program.tcpm-on, .m128-reference, .tcpm-direction, .tcpm-off, .direction-without-tcpm,
+// .direction-of-rotary-axes, .tool-axis.
 class ToolDirection {
  public:
-  explicit ToolDirection(Recorder& recorder) : recorder_(recorder) {}
+  // Both must outlive it.
+  ToolDirection(const ProgrammedPosition& position, Recorder& recorder) : position_(position), recorder_(recorder) {}
 
   [[nodiscard]] bool tcpm() const { return tcpm_; }
   // The programmed point is the centre of the tool.
@@ -25,28 +27,34 @@ class ToolDirection {
 
   // X, Y or Z of TOOL CALL; 0: none.
   void tool_axis(char letter);
-  // M128.
-  void function_m128();
+  // M128; `center`: its reference point is the centre of the tool.
+  void function_m128(bool center);
   // FUNCTION TCPM.
   void function_tcpm(spec::klartext::ReferenceWord reference);
   // M129, or FUNCTION RESET TCPM.
   void tcpm_off(bool m129);
 
   // An L block: rotary words turn the tool under TCPM.
-  void take_rotary_words(const spec::klartext::Block& block, const ProgrammedPosition& position);
+  void take_rotary_words(const spec::klartext::Block& block);
   // An LN block under TCPM.
-  void take_vector(const Vector& vector) { current_ = direction_of(vector); }
+  void take_vector(const Vector& vector) {
+    current_ = direction_of(vector);
+    by_vector_ = true;
+  }
 
  private:
   void switch_on(bool center);
-  // Rz(C) Ry(B) Rx(A) e, degrees.
-  [[nodiscard]] Direction turned(const Rational& a, const Rational& b, const Rational& c) const;
+  // Rz(C) Ry(B) Rx(A) e, of the positions programmed last.
+  [[nodiscard]] Direction turned() const;
 
+  const ProgrammedPosition& position_;
   Recorder& recorder_;
   bool tcpm_ = false;
   bool center_ = false;
-  Direction axis_;     // e of the tool axis
-  Direction current_;  // under TCPM it outlives a change of the tool axis
+  Direction axis_;          // e of the tool axis
+  Direction current_;       // under TCPM it outlives a change of the tool axis
+  bool by_vector_ = false;  // a vector turned the tool, and no rotary word came after it
+  Direction left_;          // where TCPM was switched off and by_vector_: where the tool stands
 };
 
 }  // namespace toolcomp::model::klartext

@@ -165,21 +165,25 @@ Definition control_runs {num} {N : Numbers num} (s : setup num) (c : command num
 (** * Arcs in the workpiece system *)
 
 (** fanuc.tool-center-point.arc-in-workpiece-system: a table axis that turns in an arc, or stands elsewhere at its start
-    than at the frozen pose, raises PS5421 where its direction is not normal to the plane.
+    than at the frozen pose, raises PS5421 where it is not normal to the plane as it stands at the start.
     fanuc.tool-center-point.arc-with-table-turned: else ARC_WITH_TABLE_TURNED. *)
 Definition arc_in_workpiece_system {num} {N : Numbers num} (s : setup num) (p : plane) (k : kinematics num)
     (frozen from to : pose num) : outcome unit :=
   let clause := "fanuc.tool-center-point.arc-in-workpiece-system" in
   let table_axes :=
-    let first := (first_axis k, (fst frozen, fst from, fst to)) in
-    let second := (second_axis k, (snd frozen, snd from, snd to)) in
+    let line := match machine_of k with
+                | TableRotation => carried (first_axis k) (fst from) (about (second_axis k))
+                | _ => about (second_axis k)
+                end in
+    let first := (about (first_axis k), (fst frozen, fst from, fst to)) in
+    let second := (line, (snd frozen, snd from, snd to)) in
     match machine_of k with ToolRotation => [] | TableRotation => [first; second] | Mixed => [second] end in
   turned <- each
     (fun a =>
-      let '(axis, (there, start, finish)) := a in
+      let '(standing, (there, start, finish)) := a in
       at_start <- is_zero clause (degrees start - degrees there)%num ;;
       at_end <- is_zero clause (degrees finish - degrees start)%num ;;
-      let '(x, y, z) := about axis in
+      let '(x, y, z) := standing in
       let beside := match p with XY => (x * x + y * y)%num | ZX => (z * z + x * x)%num | YZ => (y * y + z * z)%num end in
       normal <- is_zero clause beside ;;
       Got (negb (at_start && at_end), normal))

@@ -204,7 +204,8 @@ Definition control_alarms {num} {N : Numbers num} (s : setup num) (c : command n
 (** fanuc.tool-center-point.end: G49 ends control: the programmed X Y Z become those of the axes, without a shift left by
     G45 to G48.
     fanuc.tool-center-point.again: the code under control ends it first: they become the coordinates of the tip in the
-    workpiece system at the present pose. *)
+    workpiece system at the present pose.
+    fanuc.tool-center-point.end-moves: and so they do where G49 takes the offset back in a move. *)
 Definition control_left {num} {N : Numbers num} (s : setup num) (codes : list Z) (st : state num) : state num :=
   match in_control (control st), last_of lengths codes with
   | Some m, Some _ =>
@@ -212,12 +213,16 @@ Definition control_left {num} {N : Numbers num} (s : setup num) (codes : list Z)
       let tip := in_space s (sum (programmed st) (shift st)) in
       let p := match kinematics_of s with Some k => pose_of s k st | None => frozen_pose m end in
       let standing :=
-        if given (control_code codes)
+        if given (control_code codes) || tip_cancel_moves s
         then match kinematics_of s with Some k => standing_tip s k c m p tip | None => tip end
         else axes_over_tip s c m (tool_length m) p (unit3 (direction m)) tip in
       at_position st (with_space s (programmed st) (sub3 standing (in_space s (shift st)))) (shift st)
   | _, _ => st
   end.
+
+(** fanuc.tool-center-point.end-moves: the G49 that ends control makes a move. *)
+Definition cancel_moves {num} (s : setup num) (st : state num) : bool :=
+  tip_cancel_moves s && given (in_control (control st)).
 
 (** What is in force behind a block that has come from `before` to `after`. *)
 Definition control_behind {num} {N : Numbers num} (s : setup num) (c : command num) (before after : state num) :

@@ -94,10 +94,12 @@ Record klartext_setup (num : Type) := KlartextSetup {
   in_inch : bool;
   start_at : values num;
   tools : list (tool_row num);
-  correction_rows : list (Z * deltas num)      (* in mm *)
+  correction_rows : list (Z * deltas num);     (* in mm *)
+  m128_at_center : bool
 }.
 Arguments KlartextSetup {num}. Arguments letters {num}. Arguments in_inch {num}. Arguments start_at {num}.
 Arguments tools {num}. Arguments correction_rows {num}.
+Arguments m128_at_center {num}.
 
 Definition rotary (letter : Letter.t) : bool := negb (Letter.linear letter).
 

@@ -71,7 +71,8 @@ Definition tool_row_of {num} {N : Numbers num} (d : data) : tool_row num :=
 Definition klartext_setup_of {num} {N : Numbers num} (d : data) : klartext_setup num :=
   let at_ := entry_at d in
   KlartextSetup (map letter_of (entries (at_ 0%nat))) (flag_of (at_ 1%nat)) (values_of (at_ 2%nat))
-    (map tool_row_of (entries (at_ 3%nat))) (table_of (fun row => deltas_of number_of_data (entry_at row 1)) (at_ 4%nat)).
+    (map tool_row_of (entries (at_ 3%nat))) (table_of (fun row => deltas_of number_of_data (entry_at row 1)) (at_ 4%nat))
+    (flag_of (at_ 5%nat)).
 
 (** * What a run says *)
 

@@ -9,7 +9,7 @@ Open Scope list_scope.
 
 Definition plain_control : klartext_setup R :=
   KlartextSetup [Letter.X; Letter.Y; Letter.Z; Letter.B] false [0%R; 0%R; 0%R; 0%R]
-    [ToolRow 10 "" 6%R 1%R None (Deltas 0%R (- (1 / 10))%R 0%R) None] [].
+    [ToolRow 10 "" 6%R 1%R None (Deltas 0%R (- (1 / 10))%R 0%R) None] [] false.
 Definition at_start : klartext_state R := initial_state plain_control false.
 Definition says_only (st : statement R) : klartext_block R := KlartextBlock st [] None.
 Definition to_x (x : R) : line_words R := LineWords [AxisWord Letter.X false (Literal x)] None None false.
@@ -114,6 +114,22 @@ Example vectors_turn_nothing_without_tcpm_instance :
   of_length_1 (direction_at_end plain_control at_start [] None (Some (1%R, 0%R, 0%R)) (position at_start)) =
   (0%R, 0%R, 1%R).
 Proof. now rewrite vectors_turn_nothing_without_tcpm. Qed.
+
+(** heidenhain.program.tcpm-direction: rotary words and then M128, or M128 and then the words: the tool stands alike. *)
+Theorem words_before_or_after_m128 {num} {N : Numbers num} (s : klartext_setup num) center d st words to :
+  tcpm_on (tcpm_of st) = false ->
+  existsb (fun w => rotary (axis_letter w)) words = true ->
+  tool_direction (tcpm_from_here s center (at_end_of_motion to None (with_direction d false st))) =
+  direction_at_end s (tcpm_from_here s center st) words None None to.
+Proof. intros O W. unfold direction_at_end, tool_direction, tcpm_from_here. cbn. now rewrite O, W. Qed.
+
+Example words_before_or_after_m128_instance :
+  let words := [AxisWord Letter.B false (Literal 90%R)] in
+  let to := [0%R; 0%R; 0%R; 90%R] in
+  tool_direction (tcpm_from_here plain_control false
+                    (at_end_of_motion to None (with_direction (along_axis Letter.Z) false at_start))) =
+  direction_at_end plain_control (tcpm_from_here plain_control false at_start) words None None to.
+Proof. now apply words_before_or_after_m128. Qed.
 
 (** heidenhain.program.no-compensation: a straight line without RL and RR ends with the nominal tool where it is programmed,
     whatever the deltas. *)

@@ -100,8 +100,7 @@ Definition direction_at_end {num} {N : Numbers num} (s : klartext_setup num) (st
   | None, Some n => direction_along n
   | None, None =>
       if existsb (fun w => rotary (axis_letter w)) words
-      then turned (at_letter s Letter.A to) (at_letter s Letter.B to) (at_letter s Letter.C to)
-             (of_length_1 (along_axis (axis_of_tool (tool_of st))))
+      then turned_to s to st
       else tool_direction st
   end.
 
@@ -197,5 +196,9 @@ Definition plan {num} {N : Numbers num} (s : klartext_setup num) (machine_datum 
              warn normal_off "W_NOT_NORMALIZED" ++ warn tool_off "W_NOT_NORMALIZED" ++ warn below "W_N_BELOW" ++
              warn (contact_jumped made) "W_CONTACT_JUMP" ++
              warn (with_vectors && negb (given normal) && negb compensating) "W_NO_LATERAL" in
-  let st := at_end_of_motion to (ring made) (if tcpm then with_direction direction st else st) in
+  let turns := existsb (fun w => rotary (axis_letter w)) (axis_words w) in
+  let held := tcpm_of st in
+  let of_vector := (tcpm && with_vectors) || (by_vector held && negb turns) in
+  let st := at_end_of_motion to (ring made)
+              (with_direction (if tcpm then direction else direction_held held) of_vector st) in
   Got (st, Some (Planned all d m (way_made made))).

@@ -12,10 +12,11 @@ Open Scope list_scope.
 
 Definition has_function {num} (code : Z) (b : klartext_block num) : bool := existsb (Z.eqb code) (functions b).
 
-(** heidenhain.program.oversize-switch, heidenhain.program.tcpm-on: M107 and M128 act at the start of their block; the
-    reference point of M128 is the tip. *)
-Definition starts {num} {N : Numbers num} (b : klartext_block num) (st : klartext_state num) : klartext_state num :=
-  let st := if has_function 128 b then tcpm_from_here false st else st in
+(** heidenhain.program.oversize-switch, heidenhain.program.tcpm-on: M107 and M128 act at the start of their block.
+    heidenhain.program.m128-reference: the reference point of M128 is that of the setup. *)
+Definition starts {num} {N : Numbers num} (s : klartext_setup num) (b : klartext_block num) (st : klartext_state num) :
+    klartext_state num :=
+  let st := if has_function 128 b then tcpm_from_here s (m128_at_center s) st else st in
   if has_function 107 b then with_m107 true st else st.
 (** M108 and M129 act at the end. *)
 Definition closes {num} {N : Numbers num} (b : klartext_block num) (st : klartext_state num) : klartext_state num :=
@@ -27,7 +28,7 @@ Definition closes {num} {N : Numbers num} (b : klartext_block num) (st : klartex
 Definition klartext_step {num} {N : Numbers num} (s : klartext_setup num) (b : klartext_block num)
     (st : klartext_state num) : outcome (klartext_state num * option (planned num)) :=
   _ <- match not_read b with Some name => Alarm name | None => Got tt end ;;
-  let st := starts b st in
+  let st := starts s b st in
   let machine_datum := has_function 91 b || has_function 92 b in
   _ <- alarm_if (machine_datum && tcpm_on (tcpm_of st)) "machine-coordinates-under-tcpm" ;;
   let only st : outcome (klartext_state num * option (planned num)) := Got (st, None) in
@@ -37,7 +38,7 @@ Definition klartext_step {num} {N : Numbers num} (s : klartext_setup num) (b : k
     | Line w => plan s machine_datum false w None None st
     | LineWithVectors w normal tool_vector => plan s machine_datum true w normal tool_vector st
     | FunctionTcpm reference =>
-        only (tcpm_from_here (match reference with CenterCenter => true | _ => false end) st)
+        only (tcpm_from_here s (match reference with CenterCenter => true | _ => false end) st)
     | ResetTcpm => only (no_tcpm st)
     | ProgPath is_contour => only (with_contour is_contour st)
     | CorrectionRow Tcs row =>

@@ -26,11 +26,12 @@ Arguments correction {num}. Arguments m107 {num}.
 Record tcpm_state (num : Type) := TcpmState {
   tcpm_on : bool;
   reference_is_center : bool;
-  direction_held : direction_in_space num;      (* under TCPM *)
+  direction_held : direction_in_space num;      (* under TCPM, or where it ended *)
+  by_vector : bool;                             (* a vector turned the tool, and no rotary word came after it *)
   contour : bool
 }.
 Arguments TcpmState {num}. Arguments tcpm_on {num}. Arguments reference_is_center {num}.
-Arguments direction_held {num}. Arguments contour {num}.
+Arguments direction_held {num}. Arguments by_vector {num}. Arguments contour {num}.
 
 Record klartext_state (num : Type) := KlartextState {
   program_in_inch : bool;
@@ -85,7 +86,7 @@ Definition initial_state {num} {N : Numbers num} (s : klartext_setup num) (progr
   let here := map2 (fun letter x => if rotary letter then 0%num else in_program x) (letters s) (start_at s) in
   KlartextState program_in_inch [] here (map (fun _ => 0%num) here) R0 (Feeds None None)
     (ToolState None Letter.Z no_deltas None false)
-    (TcpmState false false (along_axis Letter.Z) false) None.
+    (TcpmState false false (along_axis Letter.Z) false false) None.
 
 (** heidenhain.program.units: tables are in mm and converted by the exact factor 5/127. *)
 Definition from_table {num} {N : Numbers num} (st : klartext_state num) (x : num) : num :=
@@ -161,19 +162,32 @@ Definition feeds_after_call {num} {N : Numbers num} (st : klartext_state num) (w
 Definition tool_direction {num} {N : Numbers num} (st : klartext_state num) : direction_in_space num :=
   if tcpm_on (tcpm_of st) then direction_held (tcpm_of st) else along_axis (axis_of_tool (tool_of st)).
 
-(** heidenhain.program.tcpm-on: M128 and FUNCTION TCPM switch it on; the tool keeps its direction. *)
-Definition tcpm_from_here {num} {N : Numbers num} (center : bool) (st : klartext_state num) : klartext_state num :=
-  with_tcpm (TcpmState true center (tool_direction st) (contour (tcpm_of st))) st.
+(** heidenhain.program.direction-of-rotary-axes: A, B and C turn the tool from its axis, of a position. *)
+Definition turned_to {num} {N : Numbers num} (s : klartext_setup num) (to : values num) (st : klartext_state num) :
+    direction_in_space num :=
+  turned (at_letter s Letter.A to) (at_letter s Letter.B to) (at_letter s Letter.C to)
+    (of_length_1 (along_axis (axis_of_tool (tool_of st)))).
+
+(** heidenhain.program.tcpm-on: M128 and FUNCTION TCPM switch it on.
+    heidenhain.program.tcpm-direction: nothing turns: the tool stands as the rotary axes stand, at the values programmed
+    last, or where a vector turned the tool, if no rotary word came after it. *)
+Definition tcpm_from_here {num} {N : Numbers num} (s : klartext_setup num) (center : bool) (st : klartext_state num) :
+    klartext_state num :=
+  let t := tcpm_of st in
+  let d := if tcpm_on t || by_vector t then direction_held t else turned_to s (position st) st in
+  with_tcpm (TcpmState true center d (by_vector t) (contour t)) st.
 (** heidenhain.program.tcpm-off: the tool is then along the tool axis. *)
 Definition no_tcpm {num} {N : Numbers num} (st : klartext_state num) : klartext_state num :=
-  with_tcpm (TcpmState false false (direction_held (tcpm_of st)) (contour (tcpm_of st))) st.
-Definition with_direction {num} (d : direction_in_space num) (st : klartext_state num) : klartext_state num :=
   let t := tcpm_of st in
-  with_tcpm (TcpmState (tcpm_on t) (reference_is_center t) d (contour t)) st.
+  with_tcpm (TcpmState false false (direction_held t) (by_vector t) (contour t)) st.
+Definition with_direction {num} (d : direction_in_space num) (of_vector : bool) (st : klartext_state num) :
+    klartext_state num :=
+  let t := tcpm_of st in
+  with_tcpm (TcpmState (tcpm_on t) (reference_is_center t) d of_vector (contour t)) st.
 (** heidenhain.contour.switch: until OFF, across tool calls. *)
 Definition with_contour {num} (is_contour : bool) (st : klartext_state num) : klartext_state num :=
   let t := tcpm_of st in
-  with_tcpm (TcpmState (tcpm_on t) (reference_is_center t) (direction_held t) is_contour) st.
+  with_tcpm (TcpmState (tcpm_on t) (reference_is_center t) (direction_held t) (by_vector t) is_contour) st.
 
 (** * The tool *)
 

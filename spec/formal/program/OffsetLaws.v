@@ -1,5 +1,6 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(** Laws of G45 to G48 and of G37: the value 0, and the mirrored measurement. *)
+(** Laws of the length offset that shifts the system, of G45 to G48 and of G37: the value 0, and the mirrored
+    measurement. *)
 From Coq Require Import List String ZArith Bool Reals Lra.
 From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset ToolShift Measurement
   State.
@@ -7,6 +8,25 @@ From Toolcomp Require Import Movements OwnMove Compensation Program OutcomeLaws 
 Import ListNotations.
 Open Scope string_scope.
 Open Scope list_scope.
+
+(** * The length offset *)
+
+(** fanuc.length-offset.shifted-system: a position renamed by the change of the offset is where the axes stood: nothing
+    moves. *)
+Theorem renamed_position_stands (position before after : values R) :
+  List.length before = List.length position -> List.length after = List.length position ->
+  sum (difference position (difference after before)) after = sum position before.
+Proof.
+  revert before after. induction position as [|x position IH]; intros [|b before] [|a after] B A; try discriminate;
+    [reflexivity|].
+  injection B as B. injection A as A. specialize (IH before after B A). unfold sum, difference in *. cbn in *.
+  f_equal; [ring|exact IH].
+Qed.
+
+Example renamed_position_stands_instance :
+  sum (difference [0%R; 0%R; 100%R] (difference [0%R; 0%R; 10%R] [0%R; 0%R; 0%R])) [0%R; 0%R; 10%R] =
+  sum [0%R; 0%R; 100%R] [0%R; 0%R; 0%R].
+Proof. now apply renamed_position_stands. Qed.
 
 (** * The tool offset *)
 

@@ -137,6 +137,20 @@ Definition pose_at {num} {N : Numbers num} (s : setup num) (k : kinematics num) 
   let angles := sum position (angle_zero s c) in
   (angle_of_degrees (degrees_of (first_axis k) angles), angle_of_degrees (degrees_of (second_axis k) angles)).
 
+(** fanuc.tool-direction.table-stands: on the 30i, outside tool center point control, compensation is programmed in the
+    workpiece system, which stands while the table turns; only with 19746#4 = 1 and 19696#5 = 0 does it turn. *)
+Definition table_stands {num} (s : setup num) (k : kinematics num) : bool :=
+  match machine_of k with
+  | ToolRotation => false
+  | _ => series_30i s && negb (bit s "19746#4" && negb (bit s "19696#5"))
+  end.
+Definition direction_in_machine {num} {N : Numbers num} (k : kinematics num) (p : pose num) : triple num :=
+  match machine_of k with
+  | ToolRotation => direction_at k p
+  | TableRotation => reference_direction k
+  | Mixed => carried (first_axis k) (fst p) (reference_direction k)
+  end.
+
 (** fanuc.tool-direction.of-pose: VT points from the tip to the holder and follows the positions of the rotary axes. A
     setup without rotary axes that turn the tool has none to tell.
     fanuc.tool-direction.older-parameters: 19680 counts before 19610; VT = R2(phi - phi0) R1(theta - theta0) v0.
@@ -144,7 +158,9 @@ Definition pose_at {num} {N : Numbers num} (s : setup num) (k : kinematics num) 
 Definition tool_axis_at {num} {N : Numbers num} (s : setup num) (c : coordinates num) (position : values num) :
     option (triple num) :=
   match kinematics_of s, older_axes s with
-  | Some k, _ => Some (direction_at k (pose_at s k c position))
+  | Some k, _ =>
+      let p := pose_at s k c position in
+      Some (if table_stands s k then direction_in_machine k p else direction_at k p)
   | None, [] => None
   | None, groups =>
       let angles := sum position (angle_zero s c) in

@@ -69,6 +69,18 @@ Definition differs {num} {N : Numbers num} (a b : values num) : outcome bool :=
   equal <- each (is_zero "fanuc.length-offset.move-without-axis-word") (difference a b) ;;
   Got (existsb negb equal).
 
+(** fanuc.length-offset.shifted-system: with 5006#6 = 1 the length offset shifts the coordinate system: the position is
+    renamed by the change.
+    fanuc.length-offset.shifted-in-compensation: while a compensation is on the run is left undecided. *)
+Definition shifts_system {num} (s : setup num) : bool := bit s "5006#6".
+Definition in_shifted_system {num} {N : Numbers num} (s : setup num) (c : length_command) (compensates : bool)
+    (st : state num) (position : values num) : outcome (values num) :=
+  '(on_way, _) <- length_step s (offsets_of st) c (length_of st) ;;
+  changed <- differs (vector on_way) (vector (length_of st)) ;;
+  if negb changed then Got position
+  else if compensates then Undecided "fanuc.length-offset.shifted-in-compensation"
+  else Got (difference position (difference (vector on_way) (vector (length_of st)))).
+
 (** What G10 writes: "H3" in memory A, else "H3.geometry" or "D2.wear"; of two tables that of H. *)
 Definition setting {num} (number : Z -> string) (s : setup num) (w : writing num) : item num :=
   let letter := match of_address w with ByH => "H" | ByD => "D" end in
@@ -133,9 +145,10 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
     _ <- edge_alarms s said st ;;
     _ <- side_alarms s said st ;;
     _ <- cutter_alarms s said st ;;
+    let in_plane_on := cutter_on s (cutter st) (shared st) || cutter_on_after s said st in
+    let compensates := in_plane_on || side_on (side st) || side_after || leads (edge st) || edge_after in
     let measures := match code with Some Measure => true | _ => false end in
-    _ <- (if measures then measurement_words s m to_length (cutter_on s (cutter st) (shared st) || cutter_on_after s said st)
-                        (length_of st) else Got tt) ;;
+    _ <- (if measures then measurement_words s m to_length in_plane_on (length_of st) else Got tt) ;;
     c' <- (if origins then with_origin s (incremental m) (or_else l 0) b all_numbers c else Got c) ;;
     writing <- match into with Some store => written s m (offsets_of st) b store | None => Got None end ;;
     target <- (if empty (which numbers) then Got None else reference_position s code b) ;;
@@ -143,7 +156,10 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
     _ <- alarm_if (series_30i s && match code with Some ReturnFromReference => true | _ => false end &&
                    existsb (fun x => fst x && negb (given (snd x))) (combine (which numbers) (intermediate st)))
            "no-intermediate-point" ;;
-    let position := renamed s c c' position in
+    (* fanuc.length-offset.shifted-system: the position is renamed, then the block moves. *)
+    position <- (let position := renamed s c c' position in
+                 if shifts_system s && negb (given (type_with codes st))
+                 then in_shifted_system s to_length compensates st position else Got position) ;;
     let st := State m (next_feed s m b (feed st)) c' position (shift st) (length_of st) (next_shared s d h (shared st))
                 (offsets_of st) (intermediate st) (cutter st) (side st) (edge st) (control st) in
     let at_start := st in
@@ -180,7 +196,10 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
                          end ;;
     changed <- match controlled with
                | Some (_, run) => control_moves s said run st
-               | None => differs (vector at_end) (vector (length_of st))
+               | None =>
+                   (* fanuc.length-offset.shifted-system: nothing moves. *)
+                   other <- (if shifts_system s then Got false else differs (vector at_end) (vector (length_of st))) ;;
+                   Got (other || cancel_moves s st)
                end ;;
     control_now <- match controlled with Some (_, run) => Got run | None => without_control s said st end ;;
     let st := with_control (with_length st at_end) control_now in

@@ -97,6 +97,7 @@ Definition forbidden_with_side {num} (s : setup num) (c : command num) (on_befor
     fanuc.tool-side.q-format: Q of another value than 1, 2 or 3.
     fanuc.tool-side.type-c-format: an axis word, G02 or G03, and with a start what stops the look-ahead.
     fanuc.cutter-c.start-or-cancel-in-arc: PS0034.
+    fanuc.tool-side.arc-on-mixed-machine: PS5461 on the 30i.
     fanuc.cutter.value-too-large: PS0029. *)
 Definition side_alarms {num} {N : Numbers num} (s : setup num) (c : command num) (st : state num) : outcome unit :=
   let x := side st in
@@ -116,6 +117,11 @@ Definition side_alarms {num} {N : Numbers num} (s : setup num) (c : command num)
   _ <- alarm_if (on_after && given (last_word Letter.Q (words b)) && negb q_known) "treatment" ;;
   _ <- alarm_if ((makes || removes) && (axis_word || in_arc c) || (makes && stops_look_ahead s b)) "type-c-format" ;;
   _ <- alarm_if (negb (makes_at_once s) && negb (Bool.eqb (made x) on_after) && arc) "arc-at-start-or-cancel" ;;
+  let mixed := match kinematics_of s with
+               | Some k => match machine_of k with Mixed => true | _ => false end
+               | None => false
+               end in
+  _ <- alarm_if (arc && on_after && series_30i s && mixed) "arc-in-compensation" ;;
   if given (side_behind_words c (side_in_force x)) && reads_side_value s c x && negb (snd (number_behind s c st) =? 0)
   then let '(by_, number) := number_behind s c st in _ <- applied s by_ (offsets_of st) number ;; Got tt
   else Got tt.

@@ -416,7 +416,7 @@ TEST(FaceMillingVectors, Klartext) {
        {"3 programmed tip=0,0,0 axis=0,-1,0 A=90", "4 programmed tip=0,0,0 axis=0,-1,0 B=90",
         "5 programmed tip=0,0,0 axis=0,1,0 C=180", "6 programmed tip=0,0,0 axis=-1,0,0 A=0"}},
       {"Rotary words without",
-       {"2 programmed tip=0,0,0 B=60", "3 programmed tip=0,0,0 B=90", "4 programmed tip=1,0,0",
+       {"2 programmed tip=0,0,0 B=60", "3 programmed tip=0,0,0 B=90", "4 programmed tip=1,0,0 axis=1,0,0",
         "5 programmed tip=2,0,0 axis=0,1,0 C=90", "6 programmed tip=0.94,2,3.02 shift=-0.06,0,0.02 contact=-0.8,2,3.6",
         "7 programmed tip=3,2,3", "8 programmed tip=4,2,3 axis=-1,0,0 C=180"}},
       {"With the tool axis",
