@@ -135,6 +135,10 @@ Proof.
     rewrite own_app, corner_moves_are_not_own, Nat.add_0_l.
     now apply own_between in M.
   - apply same in H. now injection H as <- _.
+  - unfold shifted in H. apply bound in H as (nothing & _ & H). destruct nothing; cbn [negb] in H; [|discriminate].
+    destruct (suv s && _).
+    + apply bound in H as (made & M & H). apply same in H. injection H as <- _. now apply ONCE in M.
+    + apply same in H. injection H as <- _. apply own_at_head.
   - apply same in H. injection H as <- _. apply AWAY.
   - apply same in H. injection H as <- _. rewrite own_app, corner_moves_are_not_own, Nat.add_0_l. apply AWAY.
 Qed.
