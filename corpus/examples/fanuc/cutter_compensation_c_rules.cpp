@@ -13,7 +13,7 @@ namespace {
 // From (-40, 0), with a head at (0, 10): A from (0, 0) to (40, 0), then the rest.
 #define A_LINE(rest) CUTTER("", "10", "-40", "0"), "G17 G90 G01 F100 G41 D1 X0 Y0\nX40.\n" rest "\n"
 #define A_WITH(parameters, rest) CUTTER(parameters, "10", "-40", "0"), "G17 G90 G01 F100 G41 D1 X0 Y0\nX40.\n" rest "\n"
-#define SERIES_30I(parameters, rest)                                                               \
+#define A_30I(parameters, rest)                                                               \
   "control = \"fanuc\"\nseries = \"30i\"\naxes = [\"X\", \"Y\", \"Z\"]\n[parameters]\n" parameters \
   "[offsets.D]\n1 = 10\n[position]\nX = -40\nY = 0\n",                                             \
       "G17 G90 G01 F100 G41 D1 X0 Y0\nX40.\n" rest "\n"
@@ -59,9 +59,9 @@ constexpr Example kRules[] = {
     {"CNC = 1, an arc whose only pair interferes by its radius: PS0041 after (40,10).",
      A_WITH(CNC, "G03 X48. Y8. I0 J8.\nG01 Y40.")},
     {"CNV = 1 on series 16i means nothing: vectors are dropped, (50,10) (60,10).", A_WITH(CNV, SMALL_ARC)},
-    {"CNV = 1 on series 30i: no vector is dropped, PS0041 after (50,10).", SERIES_30I(CNV, SMALL_ARC)},
+    {"CNV = 1 on series 30i: no vector is dropped, PS0041 after (50,10).", A_30I(CNV, SMALL_ARC)},
     {"CNV = 1 and CNC = 1 on series 30i, a notch: all vectors stay, (50,10) (54,2) (57,6).",
-     SERIES_30I(CNC CNV, NOTCH)},
+     A_30I(CNC CNV, NOTCH)},
     {"Offset circles that touch from outside: radii 13 and 15, centres 14 apart, offset 7: 6 + 8 = 14, (6,0).",
      CUTTER("", "7", "-19", "-22"),
      "G17 G90 G01 F100 G41 D1 X5. Y-12.\nG03 X5. Y12. I-5. J12.\nX23. Y-12. I9. J-12.\n"},
@@ -123,7 +123,7 @@ constexpr Example kRules[] = {
 #undef CUTTER
 #undef A_LINE
 #undef A_WITH
-#undef SERIES_30I
+#undef A_30I
 #undef CNC
 #undef CNV
 #undef NOTCH

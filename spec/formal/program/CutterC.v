@@ -50,12 +50,12 @@ Fixpoint look {num} (s : setup num) (count : Z) (repeated : bool) (bs : list (pl
       | ShiftsPlane => NoVector
       end
   end.
-Definition loses_vector {num} (rest : list (planned num)) : bool :=
-  match look 0 false rest with NoVector => true | _ => false end.
 
 (** What is read behind a block before it has run. *)
 Definition beyond {num} (s : setup num) (b : planned num) (rest : list (planned num)) : list (planned num) :=
   if stops s b then [] else rest.
+Definition loses_vector {num} (s : setup num) (b : planned num) (rest : list (planned num)) : bool :=
+  match look s 0 false (beyond s b rest) with NoVector => true | _ => false end.
 
 (** * Corners *)
 
@@ -158,7 +158,7 @@ Definition mode_block {num} {N : Numbers num} (s : setup num) (vs : list (pair n
   let y := cutter (behind b) in
   let free := match in_phase x with TakenAway => true | _ => false end in
   '(vs, ws, straightened) <-
-    (if cni s || free || loses_vector rest then Got (vs, ws, false)
+    (if cni s || free || loses_vector s b rest then Got (vs, ws, false)
      else
        let way := Path (plane_point s p (before b)) (plane_point s p (behind b))
                     (option_map (fun r => (fst r, center (snd r))) (arc_run (moves_of b))) in

@@ -244,7 +244,7 @@ Proof.
   - unfold mode_block in H. apply bound in H as (group & G & H). apply group_of_zero in G; [|exact R']. subst group.
     apply bound in H as ([[vs' ws'] line] & C & H).
     assert (E : vs' = [zero2] /\ ws' = [zero2]).
-    { destruct (_ || loses_vector rest); [apply same in C; now injection C as <- <- _|].
+    { destruct (_ || loses_vector _ _ rest); [apply same in C; now injection C as <- <- _|].
       apply nothing_interferes in C; [exact C|now rewrite R, no_offset|exact RHO]. }
     destruct E as [-> ->]. apply bound in H as (own & O & H). apply same in H. injection H as <- <-.
     split; [|reflexivity]. cbn [corner_moves tl map app]. now apply own_moves_of_zero in O.
