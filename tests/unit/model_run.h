@@ -13,6 +13,7 @@
 #include "spec/language/event_names.h"
 #include "spec/language/fanuc/program_reader.h"
 #include "spec/language/setup_format.h"
+#include "tests/support/setup_with_feed.h"
 
 namespace toolcomp::test {
 
@@ -32,7 +33,7 @@ struct Run {
 // `force`: one decision by sign and the outcome it is made to have. `samples`: N of the fractions k/N inside blocks.
 inline Run run(std::string_view setup, std::string_view program, std::pair<std::size_t, exact::Sign>* force = nullptr,
                std::uint32_t samples = 0) {
-  Run result{spec::read_setup_toml(setup, "setup.toml"), model::Recorder(true), {}};
+  Run result{setup_with_feed(setup), model::Recorder(true), {}};
   if (force != nullptr) result.recorder.force(force->first, force->second);
   spec::ProgramReader reader(spec::text_source(program), result.setup.axes);
   model::Engine engine(result.setup, result.recorder, result.sink, samples);

@@ -25,7 +25,8 @@ namespace {
 #define SMALL_ARC "G03 X50. Y0 I5. J0\nG01 Y-20."
 #define A_CCN(rest) CUTTER("\"5003#2\" = 1\n", "10", "-40", "0"), "G17 G90 G01 F100 G41 D1 X0 Y0\nX40.\n" rest "\n"
 // The same with parameters.
-#define A_READS(parameters, rest) CUTTER(parameters, "10", "-40", "0"), "G17 G90 G01 F100 G41 D1 X0 Y0\nX40.\n" rest "\n"
+#define A_READS(parameters, rest) \
+  CUTTER(parameters, "10", "-40", "0"), "G17 G90 G01 F100 G41 D1 X0 Y0\nX40.\n" rest "\n"
 // The program of the manual's figure, from (0, 0).
 #define READS(parameters) \
   CUTTER(parameters, "10", "0", "0"), "G17 G91 G01 F100 G41 D1 X10. Y10.\nX100. Y100.\nS21\nG04 X10.\nX100.\n"
@@ -110,7 +111,8 @@ constexpr Example kRules[] = {
      "1 s G1 2.9289321881345 17.0710678118655\n2 p G1 105.8578643762690 120\n5 p G1 210 120\n"},
     {"A way of 0 with an axis word counts as several, however many are read: (40,10).",
      SERIES_30I A_READS("19625 = 8\n", "X40.\nY30."), "1 s G1 0 10\n2 p G1 40 10\n3 p G1 40 10\n4 p G1 30 30\n"},
-    {"Behind a lone G40 an axis word takes the vector away, though the way is 0: (-20,-20). The next pass starts there.",
+    {"Behind a lone G40 an axis word takes the vector away, though the way is 0: (-20,-20). The next pass starts "
+     "there.",
      CUTTER("", "4", "-20", "-20"),
      "G17 G90 G01 G41 D1 X0 Y40. F500\nY0\nX80.\nX-20. Y-20.\nG40\nG00 Z5.\nG00 X-20. Y-20.\nG01 G41 X0 Y40.\n",
      "1 s G1 4 40\n2 p G1 4 4\n3 p G1 84 4\n4 c G1 84.7067872433164 -3.1378581622109\n"

@@ -10,8 +10,13 @@ namespace toolcomp::fast {
 namespace {
 
 unsigned read_at_a_time(const spec::Setup& setup) {
+  constexpr unsigned kUsual = 3;
   const auto given = setup.parameter(19625);
-  return given && setup.series == spec::Series::series_30i ? whole_number(*given, kMostBlocksRead) : 3U;
+  if (!given || setup.series != spec::Series::series_30i) return kUsual;
+  const unsigned blocks = whole_number(*given, kMostBlocksRead);
+  if (blocks < kUsual || blocks > kMostBlocksRead)
+    throw spec::InputError("setup", 0, 0, "parameters.\"19625\": 3 to 8");
+  return blocks;
 }
 
 }  // namespace

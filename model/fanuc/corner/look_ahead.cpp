@@ -4,13 +4,17 @@
 #include <utility>
 
 #include "model/basis/alarm.h"
+#include "model/basis/number.h"
+#include "spec/language/input_error.h"
 
 namespace toolcomp::model {
 
 int blocks_read(const spec::Setup& setup) {
-  constexpr int usual = 3;
   const std::optional<spec::Decimal> given = setup.parameter(19625);
-  return setup.series == spec::Series::series_30i && given ? static_cast<int>(given->digits) : usual;
+  if (setup.series != spec::Series::series_30i || !given) return 3;
+  for (int blocks = 3; blocks <= 8; ++blocks)
+    if (plain(*given) == blocks) return blocks;
+  throw spec::InputError("setup", 0, 0, "parameters.\"19625\": from 3 to 8 blocks are read");
 }
 
 namespace {

@@ -35,7 +35,8 @@
 namespace toolcomp::model {
 
 // How many blocks are read at a time in the mode, the one before a corner included: No. 19625 of the 30i, else 3.
-// Clauses: fanuc.cutter-c.two-non-motion-blocks, fanuc.tool-side.look-ahead.
+// Throws spec::InputError for another number. Clauses: fanuc.cutter-c.two-non-motion-blocks,
+// fanuc.tool-side.look-ahead.
 int blocks_read(const spec::Setup& setup);
 
 enum class CornerMode : std::uint8_t {

@@ -10,13 +10,14 @@
 #include "fast/fanuc/engine.h"
 #include "spec/language/fanuc/program_reader.h"
 #include "spec/language/setup_format.h"
+#include "tests/support/setup_with_feed.h"
 
 namespace toolcomp::fast {
 
 class ProgramRun final : public EventSink {
  public:
   ProgramRun(std::string_view setup_toml, std::string_view program, std::uint32_t samples = 0)
-      : ProgramRun(spec::read_setup_toml(setup_toml, "setup"), program, samples) {}
+      : ProgramRun(test::setup_with_feed(setup_toml), program, samples) {}
   ProgramRun(const spec::Setup& setup, std::string_view program, std::uint32_t samples = 0) : axes_(setup.axes) {
     Engine engine(setup, *this, samples);
     spec::ProgramReader reader(spec::text_source(program), setup.axes);
