@@ -20,6 +20,7 @@ constexpr double kDegree = std::numbers::pi / 180;
 spec::Setup head() {
   spec::Setup setup;
   setup.axes = spec::Axes("XYZBC");
+  setup.parameters[{1411, -1}] = spec::decimal(100);
   setup.parameters[{19680, -1}] = spec::decimal(2);
   setup.parameters[{19681, -1}] = spec::decimal(5);
   setup.parameters[{19682, -1}] = spec::decimal(3);

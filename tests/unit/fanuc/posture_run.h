@@ -10,6 +10,7 @@
 #include "model/kinematics/pair_choice.h"
 #include "spec/language/setup_format.h"
 #include "tests/support/usual_number.h"
+#include "tests/support/setup_with_feed.h"
 
 namespace toolcomp::test {
 
@@ -37,7 +38,7 @@ inline model::Direction polar(const model::Rational& angle, const model::Rationa
 // One machine with its frame at the zero pose.
 struct PostureMachine {
   explicit PostureMachine(const std::string& parameters, const model::Pose& frozen = {})
-      : setup(spec::read_setup_toml(machine_setup(parameters), "setup.toml")),
+      : setup(toolcomp::test::setup_with_feed(machine_setup(parameters))),
         machine(setup),
         choice(setup, machine, recorder),
         posture(setup, machine, choice, recorder),
