@@ -12,7 +12,7 @@ namespace toolcomp::corpus {
 // the vectors to them.
 struct Example {
   std::string_view comment;
-  std::string_view setup;  // TOML
+  std::string_view setup;  // TOML; a FANUC control without 1411 has F100 at power-on
   std::string_view program;
   // What the vector, both engines and the laws are held to: a row an event, each ending with a line feed, typed in from
   // the derivation in the form of the section (tests/golden/rows.h, pose_rows.h, space_rows.h). Empty: a table in

@@ -62,6 +62,8 @@ class Writer {
       c.section = file.section;
       c.comment = example.comment;
       c.setup = spec::read_setup_toml(example.setup, "setup of: " + std::string(example.comment));
+      // Few are about F, without which a cutting move is an alarm.
+      if (c.setup.control == spec::Control::fanuc) c.setup.parameters.try_emplace({1411, -1}, spec::decimal(100));
       c.dialect = spec::dialect_of(c.setup.control);
       c.program = example.program;
       c.samples = example.samples;
