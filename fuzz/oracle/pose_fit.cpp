@@ -159,12 +159,18 @@ PoseFit<Number>::View PoseFit<Number>::view(const model::Event& event, const spe
             {}};
   view.tool = vector(*event.tool_axis);
   if (!controlled) {
-    view.own_tool = table_stands_ ? machine_->direction_in_machine(own.pose()) : machine_->direction(own.pose());
+    view.own_tool = reported(own);
   } else {
     view.own_tool = view.own_frame.direction(own.pose());
     if (in_workpiece_) view.tool = view.frame.direction(expected.pose());
   }
   return view;
+}
+
+// The direction of the tool that events report outside tool center point control.
+template <class Number>
+Vector PoseFit<Number>::reported(const Positions& positions) const {
+  return table_stands_ ? machine_->direction_in_machine(positions.pose()) : machine_->direction(positions.pose());
 }
 
 template <class Number>
@@ -244,7 +250,7 @@ std::optional<typename PoseFit<Number>::Seen> PoseFit<Number>::seen(std::span<co
   find_zeros(event);
   const View at = view(event, actual);
   // In coordinates whose zero no event has said positions do not tell what the tool is.
-  if (!at.controlled && rough_length(machine_->direction(at.expected.pose()) - at.tool) > policy::kEstimateNoise)
+  if (!at.controlled && rough_length(reported(at.expected) - at.tool) > policy::kEstimateNoise)
     return std::nullopt;
   if (!turns_into(at, scale) && !goes_as_expected(window, at)) return std::nullopt;
   const double direction = rough_length(at.own_tool - at.tool);

@@ -84,6 +84,7 @@ class PoseFit {
   [[nodiscard]] bool were_both(std::size_t axis) const;
   // How far apart both are at the end of the move before, along X, Y or Z or together; 0 without them.
   [[nodiscard]] double apart() const;
+  [[nodiscard]] model::Vector reported(const Positions& positions) const;
   [[nodiscard]] View view(const model::Event& event, const spec::Event<Number>& actual) const;
 
   [[nodiscard]] Posture posture_at(const Positions& positions) const;
