@@ -222,6 +222,7 @@ std::string write_setup_json(const Setup& setup) {
       if (table.group.empty() && table.name == title) root.add(title, object(table));
   };
   single("parameters");
+  single("alarms");
   if (setup.control == Control::fanuc) {
     Members offsets;
     offsets.add("memory", name(kMemories, setup.memory));

@@ -89,7 +89,7 @@ TEST_F(TraceAdapter, AnAlarmIsOneForBothOrAFinding) {
   const Outcome outcome = certify();
   EXPECT_EQ(outcome.status, 1) << outcome.out;
   EXPECT_EQ(run().at("why"), "refused: I will not");
-  // An arc without its centre: PS0023.
+  // An arc without its centre: PS0022.
   EXPECT_EQ(certify("", "G02 X10. F100\n").status, 0);
   EXPECT_EQ(run().at("outcome"), "both refuse");
 }
@@ -97,7 +97,7 @@ TEST_F(TraceAdapter, AnAlarmIsOneForBothOrAFinding) {
 TEST_F(TraceAdapter, ToRunOnWhereTheModelRefusesIsAFinding) {
   adapter("printf '" + kGood + "' >trace.csv");
   EXPECT_EQ(certify("", kProgram + "G02 X30.\n").status, 1);
-  EXPECT_EQ(run().at("why"), "ran where the model gives PS0023 in line 3");
+  EXPECT_EQ(run().at("why"), "ran where the model gives PS0022 in line 3");
 }
 
 TEST_F(TraceAdapter, WhatItDoesNotHaveIsNoFailure) {
@@ -222,7 +222,7 @@ TEST_F(KnownDifferences, ExplainFindingsInTheirLines) {
 }
 
 TEST_F(KnownDifferences, ExplainAlarmsOfTheModel) {
-  known("alarms = [\"PS0023\"]\n");
+  known("alarms = [\"PS0022\"]\n");
   adapter("printf '" + kGood + "' >trace.csv", "known_differences = \"known.toml\"\n");
   EXPECT_EQ(certify("", kProgram + "G02 X30.\n").status, 0);
   EXPECT_EQ(run().at("outcome"), "known difference");

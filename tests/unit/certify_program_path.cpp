@@ -277,7 +277,7 @@ TEST(ProgramPath, EndsWithTheAlarm) {
   options.on_event = [&events](const model::Event&) { ++events; };
   const Ran ran = run(make(kXyz, "G90 G01 X10. F100\nG02 X20.\nX30.\n"), "XYZ", 1, options);
   EXPECT_EQ(ran.pieces.size(), 1U);
-  EXPECT_EQ(ran.alarm, "PS0023 in line 2");
+  EXPECT_EQ(ran.alarm, "PS0022 in line 2");
   EXPECT_EQ(ran.undecided, "");
   EXPECT_EQ(events, 2U);
 }

@@ -32,11 +32,11 @@ constexpr Example kRules[] = {
      "6 X0 Y0 Z20 O 0 0 r 10 0 w 0\n"},
     {"Arcs by R: R10 over a chord of 20 is a half circle about (10, 0); R-10 over a chord of 10, clockwise, is the "
      "larger "
-     "arc of 300 degrees about (15, -5 sqrt 3) = (15, -8.660254037844386); R4 is too short for a chord of 10: PS0023.",
+     "arc of 300 degrees about (15, -5 sqrt 3) = (15, -8.660254037844386); R4 is too short for a chord of 10: PS0020.",
      SETUP "[offsets.H]\n1 = 20\n", "G17 G02 X20 R10 F100\nX10 R-10\nX0 R4\n",
      "1 X20 Y0 Z0 O 10 0 w 180\n"
      "2 X10 Y0 Z0 O 15 -8.660254037844386 w 300\n"
-     "3 PS0023\n"},
+     "3 PS0020\n"},
     {"G52 X2 calls machine 5 X3, X5 is then machine 7. G54.1 P2 (X100) with G52: X0 is machine 102; G52 X0 calls it "
      "X2, "
      "and machine 0 is X-100 behind it.",
@@ -88,8 +88,33 @@ constexpr Example kRules[] = {
     {"G81 is not supported: PS0010.", SETUP, "G00 X1\nG80\nG99 G81 X2 Z-5 R1 F100\n",
      "1 X1 Y0 Z0\n"
      "3 PS0010\n"},
-    {"R with the start for an end: PS0023.", SETUP "[offsets.H]\n1 = 20\n", "G17 G02 X0 R5 F100\n", "1 PS0023\n"},
-    {"An arc without centre: PS0023.", SETUP "[offsets.H]\n1 = 20\n", "G17 G02 X10 F100\n", "1 PS0023\n"},
+    {"R with the start for an end is an arc of 0 degrees (B-64114EN p.43): no move, and the program goes on to X5.", SETUP,
+     "G90 G00 X0 Y0\nG02 X0 Y0 R10. F100\nG01 X5.\n",
+     "1 X0 Y0 Z0\n"
+     "2 X0 Y0 Z0\n"
+     "3 X5 Y0 Z0\n"},
+    {"R0 with another end: no circle has it, PS0020.", SETUP, "G02 X5 R0 F100\n", "1 PS0020\n"},
+    {"An arc without centre: PS0022.", SETUP "[offsets.H]\n1 = 20\n", "G17 G02 X10 F100\n", "1 PS0022\n"},
+    {"With CIR = 0 it runs as a line to (10, 10).", SETUP "[parameters]\n\"3403#5\" = 0\n", "G02 X10. Y10. F100\n",
+     "1 X10 Y10 Z0\n"},
+    {"Radii 5 and 3 about (5, 0) differ by 2: with 3410 = 2 a spiral, with 2 less a thousandth PS0020.",
+     SETUP "[parameters]\n3410 = 2\n", "G03 X8 Y0 I5 F100\n", "1 X8 Y0 Z0 O 5 0 r 5 3 w 180\n"},
+    {"The same, with 3410 = 1.999.", SETUP "[parameters]\n3410 = \"1.999\"\n", "G03 X8 Y0 I5 F100\n", "1 PS0020\n"},
+    {"No F: PS0011.", SETUP "[parameters]\n1411 = 0\n", "G00 X1\nG01 X5\n",
+     "1 X1 Y0 Z0\n"
+     "2 PS0011\n"},
+    {"F0 is none: PS0011.", SETUP, "G01 X1 F100\nX5 F0\n",
+     "1 X1 Y0 Z0\n"
+     "2 PS0011\n"},
+    {"With AD2 = 1 an address twice is PS5074, and so are two codes of one group.",
+     SETUP "[parameters]\n\"3403#6\" = 1\n", "G01 X1 X2\n", "1 PS5074\n"},
+    {"G90 and G91 in one block, AD2 = 1: PS5074.", SETUP "[parameters]\n\"3403#6\" = 1\n", "G90 G91 X1\n",
+     "1 PS5074\n"},
+    {"G54 P2 is G54.1 P2, of origin 500: machine 0 is X-500 there.",
+     SETUP "[workpiece.G54]\nX = 100\n[workpiece.P2]\nX = 500\n", "G90 G54 P2\nG53 X0\n", "2 X-500 Y0 Z0\n"},
+    {"On the 30i G29 without an intermediate point is PS0305.", "series = \"30i\"\n" SETUP, "G29 X1\n", "1 PS0305\n"},
+    {"On the 30i G10 without R is PS0031.", "series = \"30i\"\n" SETUP "[offsets.H]\n1 = 20\n", "G10 L11 P1\n",
+     "1 PS0031\n"},
     {"Geometry 999.999 and wear 0.001 make 1000, beyond the geometry range of IS-B: PS0029 where G43 applies it.",
      SETUP "[offsets.H]\n1 = { geometry = \"999.999\", wear = \"0.001\" }\n", "G43 H1\n", "1 PS0029\n"},
     {"G10 without R writes nothing, with R it does: Z20, then Z7.", SETUP "[offsets.H]\n1 = 20\n",

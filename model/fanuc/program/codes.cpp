@@ -259,7 +259,6 @@ bool names_origin(const Words& words) {
 std::size_t additional_system(const Words& words, Recorder& recorder) {
   const spec::Decimal* const p = words.find('P');
   // fanuc.program.additional-system: G54.1 selects an additional workpiece system, by P1 to P48; without P it is P1.
-  // Another P raises PS0030.
   recorder.reach(Clause::fanuc_program_additional_system);
   if (p == nullptr) return kAdditional;
   const Rational number = plain(*p);
@@ -328,8 +327,9 @@ Codes read_codes(const spec::Block& block, const Words& words, const spec::Setup
     raise(recorder, Clause::fanuc_memory_g10_kind, AlarmCause::g10_kind);
   codes.h = offset_number(words.find('H'), setup, recorder);
   codes.d = offset_number(words.find('D'), setup, recorder);
-  // fanuc.program.additional-system: G54 with a P is G54.1 with that P, where P belongs to no other code of the block
-  // (G04 G05 G10 G30 G43.4 G43.5 M98 M99).
+  // fanuc.program.additional-system: G54.1 selects an additional workpiece system, by P1 to P48; without P it is P1.
+  // G54 with a P is G54.1 with that P, where P belongs to no other code of the block (G04 G05 G10 G30 G43.4 G43.5 M98
+  // M99). Another P raises PS0030.
   const bool taken = codes.letters_are_data || codes.calls || codes.returns ||
                      codes.one_shot == OneShot::other_reference || codes.length == LengthCode::tip_control ||
                      codes.length == LengthCode::tool_direction;

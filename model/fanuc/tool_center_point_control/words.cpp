@@ -155,7 +155,7 @@ void ToolCenterPointControl::restrict_arc(const Command& command, const TipMarks
   const auto named = [&](char letter) { return axes_.has(letter) && word(command, letter) != nullptr; };
   // fanuc.tool-center-point.arc-by-radius: Under G43.5, where I J K are the direction, the centre of an arc is given by
   // R alone. A word of the plane without R under G02 or G03 raises PS5421 (the number is ours). A full circle cannot be
-  // given: R with an end that is the start raises PS0023 (fanuc.program.arc-radius-without-chord).
+  // given: R with an end that is the start is an arc of 0 degrees (fanuc.program.arc-radius-without-chord).
   if (marks.directed && !radius && (named(in_plane.first) || named(in_plane.second)))
     raise(recorder_, Clause::fanuc_tool_center_point_arc_by_radius, AlarmCause::tip_control_arc);
   const bool turns = marks.directed ? command.direction

@@ -75,7 +75,7 @@ LengthenedArc ToolOffsetRules::arc(const Command& command, const Numbers& number
   // fanuc.tool-offset.arc-form: Only quarter and three-quarter circles given by I J K are allowed: of the two letters
   // of the plane exactly one is not zero, its value is the component of the end on its axis, and the other component
   // has the same magnitude. Any other arc, R and full circles included, raises G45_ARC, after the alarms of the arc
-  // itself (PS0023).
+  // itself (PS0022, PS0020).
   if (!recorder_.decide(Clause::fanuc_tool_offset_arc_form, allowed)) throw Alarm(AlarmCause::tool_offset_arc);
 
   recorder_.reach(Clause::fanuc_tool_offset_arc);

@@ -7,6 +7,7 @@
 #include "spec/language/fanuc/program_reader.h"
 #include "spec/language/setup_format.h"
 #include "tests/unit/count_allocations.h"
+#include "tests/support/setup_with_feed.h"
 
 namespace toolcomp::fast {
 namespace {
@@ -45,7 +46,7 @@ void expect_no_allocation(const std::string& head, const std::string& body, std:
     program += body;
     for (const char c : body) blocks += c == '\n' ? 1 : 0;
   }
-  const spec::Setup setup = spec::read_setup_toml(toml, "setup");
+  const spec::Setup setup = test::setup_with_feed(toml);
   Counter counter;
   Engine engine(setup, counter, samples);
   spec::ProgramReader reader(spec::text_source(program), setup.axes);
@@ -114,7 +115,7 @@ TEST(Allocation, ToolCenterPointControl) {
 }
 
 TEST(Allocation, Alarms) {
-  const spec::Setup setup = spec::read_setup_toml(kSetup, "setup");
+  const spec::Setup setup = test::setup_with_feed(kSetup);
   Counter counter;
   Engine engine(setup, counter);
   spec::ProgramReader reader(spec::text_source("G01 B30\nG41.3 D1\nX1\nG41.3\n"), setup.axes);

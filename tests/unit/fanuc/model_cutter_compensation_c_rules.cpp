@@ -139,19 +139,19 @@ TEST(ModelCutterCRules, ASecondLoneStart) {
   EXPECT_EQ(without_setting(lone("M05\nM08\n"))[1], "6 linear X28.4 Y41.2 Z0 (start-up)");
 }
 
-// fanuc.cutter-c.arc-ends-in-center: a centre in the start and one in the end are alike; PS0023 is for an R that cannot
+// fanuc.cutter-c.arc-ends-in-center: a centre in the start and one in the end are alike; PS0020 is for an R that cannot
 // be.
 TEST(ModelCutterCRules, ArcAboutItsStartOrItsEnd) {
   for (const char* block :
        {"G02 X50 I0\n", "G03 X50 Y5 J0\n", "G02 X40 I0\n", "G02 I0\n", "G02 X50 K3\n", "G02 X50 I10\n"})
     EXPECT_EQ(points(started(block)), (Lines{"1 linear X20 Y10 Z0 (start-up)", "2 linear X40 Y10 Z0", "3 PS0038"}))
         << block;
-  EXPECT_EQ(points(started("G02 X50 R1\n")).back(), "3 PS0023");
-  EXPECT_EQ(points(started("G02 X50\n")).back(), "3 PS0023");
-  // Words come first, and where the mode is not asked for it is PS0023.
+  EXPECT_EQ(points(started("G02 X50 R1\n")).back(), "3 PS0020");
+  EXPECT_EQ(points(started("G02 X50\n")).back(), "3 PS0022");
+  // Words come first, and where the mode is not asked for it is PS0022.
   EXPECT_EQ(points("G02 G41 D1 X40 I0 F1\n"), (Lines{"1 PS0034"}));
-  EXPECT_EQ(points(started("G40 X60\nG02 X70 I0\n")).back(), "4 PS0023");
-  EXPECT_EQ(points("G41 D0\nG02 X70 I0 F1\n").back(), "2 PS0023");
+  EXPECT_EQ(points(started("G40 X60\nG02 X70 I0\n")).back(), "4 PS0022");
+  EXPECT_EQ(points("G41 D0\nG02 X70 I0 F1\n").back(), "2 PS0022");
   EXPECT_EQ(points("G41 D1\nG02 X70 I0 F1\n", "\"5003#1\" = 1").back(), "2 PS0038");
 }
 

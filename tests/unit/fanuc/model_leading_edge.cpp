@@ -9,6 +9,7 @@
 
 #include "spec/language/input_error.h"
 #include "tests/unit/model_run.h"
+#include "tests/support/setup_with_feed.h"
 
 namespace {
 
@@ -297,7 +298,7 @@ TEST(ModelLeadingEdge, NodesDoNotChain) {
     for (int i = 0; i < blocks; ++i)
       program += "G01 X" + std::to_string(1 + i % 7) + ".5 Y-" + std::to_string(i % 3) + " B" +
                  std::to_string(i % 5 - 2) + ".25 C1.125\n";
-    const spec::Setup head = spec::read_setup_toml(kHead, "head.toml");
+    const spec::Setup head = test::setup_with_feed(kHead);
     model::Recorder recorder;
     Discard sink;
     model::Engine engine(head, recorder, sink);

@@ -64,9 +64,9 @@ TEST(ModelProgram, LeastIncrements) {
 }
 
 TEST(ModelProgram, FeedIsModalAndNotOfRapidMoves) {
-  const auto done = run(setup(), "G01 X1\nX2 F100\nX3\nG00 X4 F50\nG01 X5\n");
+  const auto done = run(setup("[parameters]\n1411 = 7\n"), "G01 X1\nX2 F100\nX3\nG00 X4 F50\nG01 X5\n");
   ASSERT_EQ(done.events().size(), 5U);
-  EXPECT_FALSE(done.events()[0].feed);
+  EXPECT_EQ(done.events()[0].feed->decimal(0), "7");  // at power-on
   EXPECT_EQ(done.events()[1].feed->decimal(0), "100");
   EXPECT_EQ(done.events()[2].feed->decimal(0), "100");
   EXPECT_FALSE(done.events()[3].feed);
@@ -109,9 +109,14 @@ TEST(ModelProgram, ArcsByRadius) {
 }
 
 TEST(ModelProgram, ArcsThatCannotBe) {
-  for (const char* block : {"G03 X-10 R9.999", "G03 R10", "G03 X10 R10", "G03 X0 R0", "G03 X0 Y10", "G03 X0 Y10 I0",
-                            "G03 X0 K5", "G03 K5", "G03 Z5 R5"})
-    EXPECT_EQ(arc(std::string("X10\n") + block + "\n"), "PS0023") << block;
+  for (const char* block : {"G03 X-10 R9.999", "G03 X0 R0"})
+    EXPECT_EQ(arc(std::string("X10\n") + block + "\n"), "PS0020") << block;
+  for (const char* block : {"G03 X0 Y10", "G03 X0 Y10 I0", "G03 X0 K5", "G03 K5"})
+    EXPECT_EQ(arc(std::string("X10\n") + block + "\n"), "PS0022") << block;
+  // R with the end in the start: an arc of 0 degrees, which is no move without an axis word.
+  for (const char* block : {"G03 X10 R10", "G03 Z5 R5", "G03 X10 R0"})
+    EXPECT_EQ(arc(std::string("X10\n") + block + "\n"), "linear") << block;
+  EXPECT_EQ(arc("X10\nG03 R10\n"), "rapid");
   EXPECT_EQ(arc("X10\nG03 Z5\n"), "linear");
   EXPECT_EQ(arc("X10\nG03 C90\n"), "linear");
 }
@@ -232,7 +237,7 @@ TEST(ModelProgram, OrderOfAlarms) {
   EXPECT_EQ(moves("G43 H1\nG43.5 Q1\n", "[offsets.H]\n1 = 1\n").back(), "2 LENGTH_OFFSET_EXCLUSION");
   EXPECT_EQ(moves("G41.3 D1 X5 G54\n"), (Lines{"1 PS5406"}));
   EXPECT_EQ(moves("G41.3 D1\nX5\nG10 L11 P0 R1\n").back(), "3 FORBIDDEN_IN_3D_COMPENSATION");
-  EXPECT_EQ(moves("G02 G43 X5 H1\n", "[offsets.H]\n1 = 1000\n"), (Lines{"1 PS0023"}));
+  EXPECT_EQ(moves("G02 G43 X5 H1\n", "[offsets.H]\n1 = 1000\n"), (Lines{"1 PS0022"}));
 }
 
 TEST(ModelProgram, EndOfProgram) {

@@ -10,6 +10,7 @@
 #include "model/fanuc/program/pipeline.h"
 #include "model/fanuc/stages.h"
 #include "tests/unit/model_run.h"
+#include "tests/support/setup_with_feed.h"
 
 namespace {
 
@@ -86,7 +87,7 @@ class ModelStages : public ::testing::Test {
     pipeline.take(step);
   }
 
-  spec::Setup setup = spec::read_setup_toml("control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\"]\n", "setup.toml");
+  spec::Setup setup = test::setup_with_feed("control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\"]\n");
   spec::Block block;
   model::Recorder recorder;
   model::OffsetMemory memory{setup, recorder};

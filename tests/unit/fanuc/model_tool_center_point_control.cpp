@@ -137,7 +137,7 @@ TEST(ModelToolCenterPoint, Arcs) {
   EXPECT_EQ(last(kHead, "G43.5\nX10\nG17 G03 X0 Y10 I-10 K1 F1\n"), "3 PS5421");
   EXPECT_EQ(last(kHead, "G43.5\nG03 K1\n"), "2 PS5421");
   EXPECT_EQ(last(kHead, "G43.4\nG03 B5.\n"), "2 PS5421");
-  EXPECT_EQ(last(kHead, "G43.5\nX10\nG03 X10 R10\n"), "3 PS0023");
+  EXPECT_EQ(last(kHead, "G43.5\nX10\nG03 X10 R10\n"), "3 linear X10 Y0 Z0 A0 B0 C0");  // an arc of 0 degrees
   // A full circle of type 1.
   EXPECT_EQ(last(kHead, "G43.4\nX10\nG17 G03 I-10 B90 H1 F1\n"), "3 arc X60 Y0 Z0 A0 B90 C0");
 }

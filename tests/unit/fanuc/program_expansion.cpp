@@ -24,6 +24,7 @@
 #include "spec/language/fanuc/program_reader.h"
 #include "spec/language/setup_format.h"
 #include "tests/effort.h"
+#include "tests/support/setup_with_feed.h"
 
 namespace toolcomp {
 namespace {
@@ -258,7 +259,7 @@ TEST(ProgramExpansion, CallsGiveTheEventsOfTheFlatProgram) {
     for (std::uint64_t number = 0; lines >> number;) map.push_back(number);
 
     spec::Case flat;
-    flat.setup = spec::read_setup_toml(kSetup, "setup.toml");
+    flat.setup = test::setup_with_feed(kSetup);
     spec::Case called = flat;
     flat.program = spec::read_file(out);
     called.program =

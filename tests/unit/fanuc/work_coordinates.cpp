@@ -86,7 +86,8 @@ TEST(WorkCoordinates, AdditionalSystems) {
   EXPECT_EQ(last("G54.1\nY0\n", setup("[workpiece.P1]\nX = -1\n")), "2 rapid X6 Y0 Z0 C0");
   EXPECT_EQ(last("G54.1 P48\nY0\n", setup("[workpiece.P48]\nC = 7\n")), "2 rapid X5 Y0 Z0 C-7");
   EXPECT_EQ(last("G54.1 P3\nG54\nZ0\n"), "3 rapid X5 Y0 Z0 C0");
-  EXPECT_EQ(last("G54 P3\nZ0\n"), "2 rapid X5 Y0 Z0 C0") << "P means nothing there";
+  EXPECT_EQ(last("G54 P3 Y0\n"), "1 rapid X-395 Y0 Z0 C0") << "as G54.1";
+  EXPECT_EQ(last("G55 P3\nY0\n"), last("G55\nY0\n")) << "P means nothing there";
   EXPECT_EQ(last("G54.1 P3 G55 Y0\n"), "1 rapid X-45 Y0 Z0 C0") << "the last one counts";
   for (const char* block : {"G54.1 P49", "G54.1 P0", "G54.1 P1.5", "G54.1 P-1", "G54.1 P3000000000"})
     EXPECT_EQ(last(block), "1 PS0030") << block;
@@ -175,7 +176,7 @@ TEST(WorkCoordinates, TheLocalSystemInCutterCompensation) {
     EXPECT_EQ(run.events.back().number, exact.events().back().number);
     return exact.events().back().kind;
   };
-  EXPECT_EQ(kind("G41 D1 G01 X10 F100\nX50\nG52 X5\nX80\nX90\n"), spec::EventKind::undecided) << "in the plane";
+  EXPECT_EQ(kind("G41 D1 G01 X10 F100\nX50\nG52 X5\nX80\nX90\n"), spec::EventKind::move) << "in the plane";
   EXPECT_EQ(kind("G41 D1 G01 X10 F100\nX50\nG52 Z5\nX80\nX90\nG40 X100\n"), spec::EventKind::move) << "beside it";
   EXPECT_EQ(kind("G52 X5\nG41 D1 G01 X10 F100\nX50\nG40 X100\nG52 X0\nX0\n"), spec::EventKind::move);
 }
@@ -199,8 +200,10 @@ TEST(WorkCoordinates, LettersOfOtherCodesAreData) {
 
 TEST(WorkCoordinates, FeedsOfOtherKindsAreNone) {
   const std::string program =
-      "G01 X1 F100\nG93 X2 F5\nX3\nG94 X4\nX5 F7\nG95 F2 X6\nG94 F9 X7\nG94 X8\nG93\nG94\nX9\nG99 F3 X10\n";
-  const std::vector<std::string> expected{"100", "-", "-", "-", "7", "-", "9", "9", "-", "3"};
+      "G01 X1 F100\nG93 X2 F5\nX3\nG00 G94 X4\nG01 X5 F7\nG95 F2 X6\nG94 F9 X7\nG94 X8\nG93\nG94\nG00 X9\n"
+      "G01 G99 F3 X10\nG93\nG94 X11\n";
+  // At last no F, which is an alarm: after G93 and G95 F has to be given again.
+  const std::vector<std::string> expected{"100", "-", "-", "-", "7", "-", "9", "9", "-", "3", "-"};
   std::vector<std::string> model;
   const auto exact = test::run(setup(), program);
   for (const auto& event : exact.events()) model.push_back(event.feed ? event.feed->decimal(3) : "-");

@@ -80,8 +80,8 @@ TEST(ModelKlartextState, DirectionUnderTcpm) {
   EXPECT_EQ(direction(kCall + "M128\nL B90\n"), "1 0 0");
   EXPECT_EQ(direction(kCall + "M128\nL B90\nL X1\n"), "1 0 0");
   EXPECT_EQ(direction(kCall + vector + "M128\nL X1\n"), "0 0.6 0.8");
-  // Rotary words are remembered without TCPM, and count with the next rotary word.
-  EXPECT_EQ(direction(kCall + "L B90\nM128\nL X1\n"), "0 0 1");
+  // The tool stands as the rotary axes stand, also where they were positioned before.
+  EXPECT_EQ(direction(kCall + "L B90\nM128\nL X1\n"), "1 0 0");
   EXPECT_EQ(direction(kCall + "L B90\nM128\nL C90\n"), "0 1 0");
   EXPECT_EQ(direction(kCall + "L B90\nM128\nL IB-90\n"), "0 0 1");
   // A vector does not change them.
@@ -90,7 +90,7 @@ TEST(ModelKlartextState, DirectionUnderTcpm) {
   EXPECT_EQ(direction(kCall + "M128\nL B90 M129\n"), "1 0 0");
   EXPECT_EQ(direction(kCall + "M128\nL B90 M129\nL X1\n"), "0 0 1");
   EXPECT_EQ(direction(kCall + "M128\nL B90\nFUNCTION RESET TCPM\nL X1\n"), "0 0 1");
-  EXPECT_EQ(direction(kCall + "M128\nL B90\nFUNCTION TCPM OFF\nM128\nL X1\n"), "0 0 1");
+  EXPECT_EQ(direction(kCall + "M128\nL B90\nFUNCTION TCPM OFF\nM128\nL X1\n"), "1 0 0");
   EXPECT_EQ(direction(kCall + "L B90 M128 M129\nL X1\n"), "0 0 1");
   // Rz(C) Ry(B) Rx(A) e: A90 turns Z to -Y, then B nothing, then C90 to +X.
   EXPECT_EQ(direction(kCall + "M128\nL A90 B45 C90\n"), "1 0 0");
