@@ -118,7 +118,8 @@ void take_back_too_little(const spec::Case& c, std::vector<model::Event>& events
   if (c.setup.tip_control_cancel != spec::TipControlCancel::moves) return;
   for (std::size_t i = 1; i < events.size(); ++i) {
     const bool ends = events[i - 1].tool_axis && !events[i - 1].machine.empty() && events[i].machine.empty();
-    if (ends && events[i].kind == spec::EventKind::move) events[i].axes.value[0] += Real(1);
+    if (!ends || events[i].kind != spec::EventKind::move) continue;
+    for (auto* values : {&events[i].programmed, &events[i].point, &events[i].axes}) values->value[0] += Real(1);
   }
 }
 

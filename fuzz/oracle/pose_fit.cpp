@@ -70,6 +70,8 @@ PoseFit<Number>::PoseFit(const Rules& rules, const spec::Setup& setup, const Pro
   }
   if (!estimate_) return;
   machine_.emplace(setup);
+  const bool turns_with_table = setup.bit(19746, 4) && !machine_->programs_workpiece();
+  table_stands_ = setup.series == spec::Series::series_30i && !turns_with_table;
   in_workpiece_ = machine_->programs_workpiece() && machine_->type() != model::MachineType::head;
 }
 
@@ -157,7 +159,7 @@ PoseFit<Number>::View PoseFit<Number>::view(const model::Event& event, const spe
             {}};
   view.tool = vector(*event.tool_axis);
   if (!controlled) {
-    view.own_tool = machine_->direction(own.pose());
+    view.own_tool = table_stands_ ? machine_->direction_in_machine(own.pose()) : machine_->direction(own.pose());
   } else {
     view.own_tool = view.own_frame.direction(own.pose());
     if (in_workpiece_) view.tool = view.frame.direction(expected.pose());

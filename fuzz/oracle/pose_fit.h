@@ -111,11 +111,12 @@ class PoseFit {
   std::array<std::size_t, 3> index_;  // of X Y Z
   std::optional<RotaryMachine> estimate_;
   std::optional<model::Machine> machine_;
-  bool mechanical_ = false;                    // the angles that turn tool and table are those of machine coordinates
-  bool in_workpiece_ = false;                  // 19696#5 = 1 on a table
-  bool active_ = false;                        // the move before was under tool center point control
-  Positions frozen_;                           // where the programming coordinate system stands, expected
-  Positions own_frozen_;                       // and where the controller has it
+  bool mechanical_ = false;    // the angles that turn tool and table are those of machine coordinates
+  bool in_workpiece_ = false;  // 19696#5 = 1 on a table
+  bool table_stands_ = false;  // 30i: outside the mode directions are those in the machine, but for 19746#4
+  bool active_ = false;        // the move before was under tool center point control
+  Positions frozen_;           // where the programming coordinate system stands, expected
+  Positions own_frozen_;       // and where the controller has it
   std::array<Rational, spec::kMaxAxes> zero_;  // machine minus workpiece coordinates
   Off before_;                                 // at the end of the move before
   double direction_ = 0;                       // of the tool axis there

@@ -73,13 +73,14 @@ void StepMaker::find_legs(Making& now) {
                      {start, legs, [this](const Position& position) { return tip_control_.at(position).tool; }});
   now.machine = tip.tip_control || (!legs.empty() && goes_by_machine_coordinates(command.codes.one_shot));
   if (!shifts_system_) now.plan = length_.plan(length_command(command));
-  if (!shifts_system_ && now.plan.changed) recorder_.decide(Clause::fanuc_length_offset_shifted_system, false);
+  if (!shifts_system_ && !tip.tip_control && now.plan.changed)
+    recorder_.decide(Clause::fanuc_length_offset_shifted_system, false);
   // fanuc.length-offset.move-without-axis-word: Without an axis word a travel of zero is assumed: the offset axis still
   // moves by the change of its offset. Where the offset does not change there is no move.
-  const bool moves = tip.ends
-                         ? tip.takes_back
-                         : !shifts_system_ && legs.empty() &&
-                               recorder_.decide(Clause::fanuc_length_offset_move_without_axis_word, now.plan.changed);
+  const bool may_move = legs.empty() && (!shifts_system_ || tip.tip_control);
+  const bool moves =
+      tip.ends ? tip.takes_back
+               : may_move && recorder_.decide(Clause::fanuc_length_offset_move_without_axis_word, now.plan.changed);
   if (legs.empty() && moves) legs.push_back(tool_offset_.shifted(interpreter_.stay(command)));
 }
 
@@ -94,9 +95,14 @@ void StepMaker::shift_system(Making& now) {
   now.plan = length_.plan(length_command(now.command));
   if (now.plan.on_way.axis == before.axis) return;
   recorder_.decide(Clause::fanuc_length_offset_shifted_system, true);
-  if (now.compensates)
+  if (now.compensates) {
+    // What is held goes out as if this block were absent.
+    recorder_.take_clauses();
+    now.stages.finish();
+    recorder_.at(now.step.line);
     leave_open(recorder_, Clause::fanuc_length_offset_shifted_in_compensation,
                "a length offset shifts the coordinate system while a compensation is on");
+  }
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     const Rational change = now.plan.on_way.axis.at(i) - before.axis.at(i);
     if (change != 0) interpreter_.stand(i, interpreter_.position().at(i) - Coordinate(change));

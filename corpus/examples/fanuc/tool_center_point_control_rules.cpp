@@ -95,6 +95,8 @@ constexpr Example kRules[] = {
      "G90 G43.4 H1\nG01 B90. F100\n", "", 2},
     {"H2 alone at B 90: the control point goes from 10 to 20 evenly.", HC("", LENGTHS),
      "G90 G43.4 H1 B90.\nG01 X0 F100\nH2\n", "", 2},
+    {"The same with 5006#6 = 1, which is of offsets of axes alone.", HC("\"5006#6\" = 1\n", LENGTHS),
+     "G90 G43.4 H1 B90.\nG01 X0 F100\nH2\n", "1 programmed X=10\n2 programmed X=10\n3 programmed X=20\n"},
     {"A head of which 19711 is 40, tool 10, B 90: the control point 50 beside the tip.", MBC("19711 = 40\n", LENGTHS),
      "G90 G43.4 H1 P0\nG01 X1. B90. F100\n"},
     {"Tool side compensation under G43.4, length 10: the tool runs on Y 1, the control point 10 over it.",

@@ -214,7 +214,8 @@ Alarm Interpreter::take_length(const Words& words, const Command& command, bool&
   if (shifts_system_ && !shift_system()) return alarm::kNone;
   // G43.4 and G43.5 always make their move; the G49 that ends them makes one where the setup says so.
   extra = words.starts_tip_control() || (command.ends_along && attitude.cancel_moves()) ||
-          (length.changed() && !command.ends_along && !shifts_system_ && !fault(Fault::zero_move_missing));
+          (length.changed() && !command.ends_along && (!shifts_system_ || command.along) &&
+           !fault(Fault::zero_move_missing));
   attitude.directions().begin_block();
   if (!command.along) return alarm::kNone;
   // Moves that a compensation inserts are none of the block.

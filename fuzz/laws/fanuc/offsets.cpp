@@ -97,14 +97,25 @@ void length_offset_stays(const FanucScene& s, Holding& holding) {
 }
 
 void by_the_words_alone(const FanucScene& s, Holding& holding) {
-  const auto selects = [](const FanucBlock& b) { return b.compensation != 400 || b.system != 1; };
-  if (!s.c.setup.bit(5006, 6) || leaves_the_path(s) || std::ranges::any_of(s.program.blocks(), selects) ||
-      s.program.has_code({434, 435, 450, 460, 470, 480, 520, 540, 920}))
+  const auto& blocks = s.program.blocks();
+  if (!s.c.setup.bit(5006, 6) || std::ranges::any_of(blocks, [](const FanucBlock& b) { return b.compensation != 400; }))
     return;
-  const std::size_t end = first_edit(s);
-  for (std::size_t i = 1; i < s.stops.size() && s.stops[i].block < end; ++i) {
+  constexpr std::array others{100, 280, 290, 300, 301, 370, 390, 434, 435, 450, 460, 470, 480, 520, 530, 920};
+  const auto goes_otherwise = [&](std::size_t k) {
+    const FanucBlock& b = blocks[k];
+    return b.length == 434 || b.length == 435 || !b.system || blocks[k - 1].system != b.system ||
+           std::ranges::any_of(others, [&](int code) { return b.has_code(code); });
+  };
+  for (std::size_t i = 1; i < s.stops.size(); ++i) {
+    if (s.stops[i].block == s.stops[i - 1].block || s.block(s.stops[i - 1]).length == 434 ||
+        s.block(s.stops[i - 1]).length == 435)
+      continue;
+    bool otherwise = false;
+    for (std::size_t k = s.stops[i - 1].block + 1; k <= s.stops[i].block; ++k)
+      otherwise = otherwise || goes_otherwise(k);
+    if (otherwise) continue;
     const FanucBlock& b = s.block(s.stops[i]);
-    if (b.absolute || b.inches != (s.c.setup.units == spec::Units::inch) || b.has_code(390)) continue;
+    if (b.absolute || b.inches != (s.c.setup.units == spec::Units::inch)) continue;
     const auto before = xyz(s.c.setup.axes, s.stops[i - 1].own->axes);
     const auto after = xyz(s.c.setup.axes, s.stops[i].own->axes);
     if (!before || !after) continue;

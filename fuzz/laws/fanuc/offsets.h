@@ -16,9 +16,9 @@ void length_offset(const FanucScene& scene, Holding& holding);
 void length_offset_stays(const FanucScene& scene, Holding& holding);
 
 // With 5006#6 = 1 the length offset moves nothing: under G91 the axes go by the words of the block, whatever G43, G44,
-// G49 and H stand in it or before it. B-63943EN-1/02 p.1654. Words with a decimal point, in the units of the setup.
-// Exempt as above, and programs with compensation, G45 to G48, G43.4, G43.5, G52, G92 or a change of the workpiece
-// system.
+// G49 and H stand in it or before it. B-63943EN-1/02 p.1654. Words with a decimal point, in the units of the setup. Not
+// in programs with compensation, nor where a block since the last move goes elsewhere or renames coordinates in another
+// way (G10, G28 to G30, G37, G39, G43.4, G43.5, G45 to G48, G52 to G59, G92).
 void by_the_words_alone(const FanucScene& scene, Holding& holding);
 
 // The shift between programmed and actual position grows in every commanded axis by the offset, once or twice, with the
