@@ -101,5 +101,5 @@ Definition by_center {num} {N : Numbers num} (most_apart : num) (refused_later c
   in_start <- is_zero "fanuc.program.arc-center-in-start" (dot2 to_center to_center) ;;
   _ <- alarm_if (in_start && negb refused_later) "arc-without-center" ;;
   c <- around clockwise (add2 start to_center) start finish ;;
-  _ <- radii_allowed most_apart c ;;
+  _ <- (if in_start then Got tt else radii_allowed most_apart c) ;;
   Got c.
