@@ -100,7 +100,8 @@ TEST(Certify, AFindingUnderKnownReplays) {
   const Folder folder;
   // Type A offsets Z, says a manual: 100 and 20.
   const std::string program = folder.write("a.nc", "G90 G43 G00 Z100. H1\nM30\n");
-  (void)folder.write("setup.toml", "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\"]\n[offsets.H]\n1 = 20\n");
+  static_cast<void>(
+      folder.write("setup.toml", "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\"]\n[offsets.H]\n1 = 20\n"));
   const std::string liar = wrapper(folder, "liar.sh", R"(s/"Z":120/"Z":121/)");
   const Outcome found = toolcomp("certify --controller '" + liar + "' " + program +
                                  " --known manual,sister,recollection,ours --report " + folder.path("report"));
