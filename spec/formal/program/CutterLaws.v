@@ -293,13 +293,18 @@ Proof. apply value_zero_is_programmed. repeat constructor. Qed.
 (** fanuc.cutter-c.coordinate-shift: before G52 or G92 of the plane a block ends where it is programmed to, whatever it
     is, with or without a block of a count of one between. *)
 Theorem no_vector_before_a_shift (s : setup R) a still b rest :
-  part_of b = ShiftsPlane -> part_of still = Idle 1 ->
+  part_of b = ShiftsPlane -> part_of still = Idle 1 -> stops s a = false -> stops s still = false ->
+  1 < idle_limit s ->
   group_at_end s a (b :: rest) = Got [zero2] /\ group_at_end s a (still :: b :: rest) = Got [zero2].
-Proof. intros B S. unfold group_at_end. cbn [look]. rewrite S, B. now split. Qed.
+Proof.
+  intros B S A T L. unfold group_at_end, beyond. rewrite A. cbn [look]. rewrite S, T, B.
+  now rewrite (proj2 (Z.ltb_lt (0 + 1) (idle_limit s)) L).
+Qed.
 
 Example no_vector_before_a_shift_instance a b :
-  part_of b = ShiftsPlane -> group_at_end plain_setup a [b; standing_block] = Got [zero2].
-Proof. intro B. now apply (no_vector_before_a_shift plain_setup a standing_block b [standing_block]). Qed.
+  part_of b = ShiftsPlane -> stops plain_setup a = false ->
+  group_at_end plain_setup a [b; standing_block] = Got [zero2].
+Proof. intros B A. now apply (no_vector_before_a_shift plain_setup a standing_block b [standing_block]). Qed.
 
 (** * Interference *)
 
