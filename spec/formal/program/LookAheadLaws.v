@@ -150,7 +150,7 @@ Proof.
   { unfold beyond. destruct S as [S|S].
     - now rewrite S.
     - destruct (stops s b); [reflexivity|]. cbn [look]. rewrite S. now destruct (part_of next). }
-  unfold block_c, mode_block, group_at_end, corner_arc_c, lone_start. now rewrite E.
+  unfold block_c, mode_block, loses_vector, group_at_end, corner_arc_c, lone_start. now rewrite E.
 Qed.
 
 Example cutter_c_reads_nothing_beyond_a_stop_instance b next more : stops plain_setup next = true ->
