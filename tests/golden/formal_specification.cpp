@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
+#include <string_view>
 
 #include "certify/exactly.h"
 #include "certify/fuzzing/regression.h"
@@ -24,6 +26,10 @@ struct Count {
   std::size_t not_said = 0;
 };
 
+// Vectors in which the specification, whose numbers are refined less far than the model's, cannot decide a near tie.
+// Each is still held up to there.
+constexpr std::array<std::string_view, 1> kNotDecided{"fanuc.tool-posture-control.744fb20d29"};
+
 void hold(const spec::Case& c, Count& count) {
   fuzz::ModelRun run;
   try {
@@ -38,7 +44,8 @@ void hold(const spec::Case& c, Count& count) {
   }
   ++count.agree;
   const certify::Exactly held = certify::hold_exactly(c.setup.axes, run.events, said.events);
-  EXPECT_EQ(held.undecided, "") << spec::write_case(c);
+  EXPECT_EQ(held.undecided.empty(), std::ranges::find(kNotDecided, c.id) == kNotDecided.end()) << held.undecided << '\n'
+                                                                                               << spec::write_case(c);
   EXPECT_FALSE(held.difference) << fuzz::explain(*held.difference) << '\n' << spec::write_case(c);
 }
 

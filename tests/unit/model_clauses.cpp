@@ -9,6 +9,7 @@
 #include "corpus/examples.h"
 #include "fuzz/oracle/verdict.h"
 #include "spec/language/setup_format.h"
+#include "tests/support/setup_with_feed.h"
 
 namespace {
 
@@ -62,6 +63,13 @@ std::vector<Program> programs_without_look_ahead() {
       {plain, "X1.2.3\n"},
       {plain, "G99\n"},
       {plain, "G03 X10 I-10\nZ5\n"},
+      {setup("3410 = 3\n"), "G03 X8 Y0 I5\n"},
+      {setup("\"5006#6\" = 1\n"), "G41 D1 X10\nX20\nG43 H1\n"},
+      {setup("\"5003#2\" = 1\n"), "G01 G41 X0 D1\nX40\nG53 X0\nG92 X5\nX60\n"},
+      {"control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\", \"B\", \"C\"]\n[parameters]\n19680 = 21\n19681 = 4\n19682 = "
+       "2\n"
+       "19686 = 5\n19687 = 3\n[offsets.D]\n1 = 1\n",
+       "G01 G41.2 X10 D1\nX20\nG03 X30 Y10 R10\n"},
       {plain, "X10\nG03 X0 Y10 R10 I3\n"},
       {plain, "G55 X1\nG92 X5\nG53 X1\nG91 G53 X1\nG28\nG28 X1\nG29 X1 Y1\nG90 G29 X2\nG30 P3 X1\nG30 P7 X1\n"},
       {plain, "G10 L9\n"},
@@ -116,7 +124,7 @@ std::vector<Program> programs() {
 
 model::Recorder decisions_of(std::string_view setup, std::string_view program, std::uint32_t samples = 0) {
   spec::Case c;
-  c.setup = spec::read_setup_toml(setup, "setup.toml");
+  c.setup = test::setup_with_feed(setup);
   c.program = program;
   c.samples = samples;
   return fuzz::run_model(c).recorder;

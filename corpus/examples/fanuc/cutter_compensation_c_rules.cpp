@@ -13,7 +13,7 @@ namespace {
 // From (-40, 0), with a head at (0, 10): A from (0, 0) to (40, 0), then the rest.
 #define A_LINE(rest) CUTTER("", "10", "-40", "0"), "G17 G90 G01 F100 G41 D1 X0 Y0\nX40.\n" rest "\n"
 #define A_WITH(parameters, rest) CUTTER(parameters, "10", "-40", "0"), "G17 G90 G01 F100 G41 D1 X0 Y0\nX40.\n" rest "\n"
-#define A_30I(parameters, rest)                                                               \
+#define A_30I(parameters, rest)                                                                    \
   "control = \"fanuc\"\nseries = \"30i\"\naxes = [\"X\", \"Y\", \"Z\"]\n[parameters]\n" parameters \
   "[offsets.D]\n1 = 10\n[position]\nX = -40\nY = 0\n",                                             \
       "G17 G90 G01 F100 G41 D1 X0 Y0\nX40.\n" rest "\n"
@@ -61,8 +61,7 @@ constexpr Example kRules[] = {
      A_WITH(CNC, "G03 X48. Y8. I0 J8.\nG01 Y40.")},
     {"CNV = 1 on series 16i means nothing: vectors are dropped, (50,10) (60,10).", A_WITH(CNV, SMALL_ARC)},
     {"CNV = 1 on series 30i: no vector is dropped, PS0041 after (50,10).", A_30I(CNV, SMALL_ARC)},
-    {"CNV = 1 and CNC = 1 on series 30i, a notch: all vectors stay, (50,10) (54,2) (57,6).",
-     A_30I(CNC CNV, NOTCH)},
+    {"CNV = 1 and CNC = 1 on series 30i, a notch: all vectors stay, (50,10) (54,2) (57,6).", A_30I(CNC CNV, NOTCH)},
     {"Offset circles that touch from outside: radii 13 and 15, centres 14 apart, offset 7: 6 + 8 = 14, (6,0).",
      CUTTER("", "7", "-19", "-22"),
      "G17 G90 G01 F100 G41 D1 X5. Y-12.\nG03 X5. Y12. I-5. J12.\nX23. Y-12. I9. J-12.\n"},
@@ -106,9 +105,9 @@ constexpr Example kRules[] = {
     {"The same on the 30i, which reads three blocks.", SERIES_30I READS(""),
      "1 s G1 2.9289321881345 17.0710678118655\n2 p G1 102.9289321881345 117.0710678118655\n5 p G1 210 120\n"},
     {"The 30i reads five blocks: the corner, (110,110) + 10 (1 - sqrt 2,1).", SERIES_30I READS("19625 = 5\n"),
-     "1 s G1 2.9289321881345 17.0710678118655\n2 p G1 105.8578643762690 120\n5 p G1 210 120\n"},
+     "1 s G1 2.9289321881345 17.0710678118655\n2 p G1 105.857864376269 120\n5 p G1 210 120\n"},
     {"The 30i reads four blocks: A, two without motion, and B.", SERIES_30I READS("19625 = 4\n"),
-     "1 s G1 2.9289321881345 17.0710678118655\n2 p G1 105.8578643762690 120\n5 p G1 210 120\n"},
+     "1 s G1 2.9289321881345 17.0710678118655\n2 p G1 105.857864376269 120\n5 p G1 210 120\n"},
     {"A way of 0 with an axis word counts as several, however many are read: (40,10).",
      SERIES_30I A_READS("19625 = 8\n", "X40.\nY30."), "1 s G1 0 10\n2 p G1 40 10\n3 p G1 40 10\n4 p G1 30 30\n"},
     {"Behind a lone G40 an axis word takes the vector away, though the way is 0: (-20,-20). The next pass starts "

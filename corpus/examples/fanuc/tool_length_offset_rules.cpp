@@ -65,7 +65,7 @@ constexpr Example kRules[] = {
      "2 X-5 Y0 Z0\n"
      "3 PS0030\n"},
     {"Modes without effect: X9 of G05.1 moves nothing, F3 of G93 is no feed per minute.", SETUP,
-     "G21 G80 G64 G05.1 Q1 X9\nG01 X1 F100\nG93\nX2 F3\nG94\nX3\n",
+     "G21 G80 G64 G05.1 Q1 X9\nG01 X1 F100\nG93\nX2 F3\nG94\nX3 F100\n",
      "2 X1 Y0 Z0\n"
      "4 X2 Y0 Z0\n"
      "6 X3 Y0 Z0\n"},
@@ -88,8 +88,8 @@ constexpr Example kRules[] = {
     {"G81 is not supported: PS0010.", SETUP, "G00 X1\nG80\nG99 G81 X2 Z-5 R1 F100\n",
      "1 X1 Y0 Z0\n"
      "3 PS0010\n"},
-    {"R with the start for an end is an arc of 0 degrees (B-64114EN p.43): no move, and the program goes on to X5.", SETUP,
-     "G90 G00 X0 Y0\nG02 X0 Y0 R10. F100\nG01 X5.\n",
+    {"R with the start for an end is an arc of 0 degrees (B-64114EN p.43): no move, and the program goes on to X5.",
+     SETUP, "G90 G00 X0 Y0\nG02 X0 Y0 R10. F100\nG01 X5.\n",
      "1 X0 Y0 Z0\n"
      "2 X0 Y0 Z0\n"
      "3 X5 Y0 Z0\n"},
