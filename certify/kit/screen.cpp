@@ -64,6 +64,8 @@ std::string refuse_code(const Machine& machine, const spec::Block& block, std::u
                          (l->value.digits == 1 || (l->value.digits >= 10 && l->value.digits <= 13));
     if (!offsets) return "G10 without L1 or L10 to L13 may enter anything";
   }
+  // It is G54.1 then.
+  if (code == 540 && find(block, 'P') != nullptr) return "G54 with P: other workpiece systems are the user's";
   if (std::ranges::find(kCodes, code) != kCodes.end()) return {};
   if (code >= 550 && code <= 590) return g(code) + ": other workpiece systems are the user's";
   if (code == 40) return "a dwell inside would look like a mark";

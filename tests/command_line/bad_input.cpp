@@ -35,7 +35,7 @@ TEST_F(BadInput, ProgramsThatAreNoText) {
   unsigned state = 1;
   for (int i = 0; i < 5000; ++i) noise += static_cast<char>((state = state * 1664525U + 1013904223U) >> 24U);
   refused("run " + folder.write("noise.nc", noise), "noise.nc:");
-  refused("run " + folder.write("nul.nc", std::string("G01 X1.\nX2.\0Y3.\n", 16)), "nul.nc:2:4:");
+  refused("run " + folder.write("nul.nc", std::string("G00 X1.\nX2.\0Y3.\n", 16)), "nul.nc:2:4:");
   refused("run " + folder.path("missing.nc"), "missing.nc");
   refused("run " + folder.write("latin.nc", "G01 X1. \xE4\n"), "latin.nc:1:9:");
 }

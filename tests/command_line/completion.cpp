@@ -30,7 +30,7 @@ TEST(Completion, AnswersByPlace) {
   EXPECT_EQ(words("ex"), Set{"explain"});
   EXPECT_FALSE(words("''").contains("fuzz-worker"));
   EXPECT_EQ(words("run --eng"), Set{"--engine"});
-  EXPECT_EQ(words("run --engine ''"), (Set{"fast", "model"}));
+  EXPECT_EQ(words("run --engine ''"), (Set{"fast", "model", "spec"}));
   EXPECT_EQ(words("run --engine=f"), Set{"fast"});
   EXPECT_EQ(words("run --engine = f"), Set{"fast"});
   EXPECT_EQ(words("run p"), Set{":files"});

@@ -205,10 +205,10 @@ TEST_F(ViewPage, OfAThousandBlocks) {
 TEST_F(ViewPage, OfAnAlarm) {
   const std::string setup = folder.write("setup.toml", kSetup);
   const json look = seen(folder.write("part.nc", kAlarm));
-  EXPECT_TRUE(has(look["keys"][0]["notes"], "line 2: alarm PS0022"));
+  EXPECT_TRUE(has(look["keys"][0]["notes"], "line 2: alarm PS0020"));
   const json& last = look["keys"][5];
   EXPECT_EQ(last["text"], "N20 G03 X50. R10.") << "the run ends there";
-  EXPECT_TRUE(has(last["alarms"], "PS0022"));
+  EXPECT_TRUE(has(last["alarms"], "PS0020"));
 }
 
 TEST_F(ViewPage, ServedIsMadeAnew) {
