@@ -8,7 +8,7 @@ from decimal import Decimal
 
 HELLO = {"name": "length offsets", "version": "1", "protocol": 1, "sections": ["fanuc/tool-length-offset"],
          "fields": ["kind", "line", "n", "type", "axes", "feed"]}
-KNOWN = {"control", "units", "axes", "increment", "cutter_compensation", "block_skip", "offsets"}
+KNOWN = {"control", "units", "axes", "increment", "cutter_compensation", "block_skip", "offsets", "parameters"}
 GROUPS = {0: "motion", 1: "motion", 90: "distance", 91: "distance", 43: "length", 44: "length", 49: "length"}
 
 
@@ -29,10 +29,12 @@ def words_of(block):
 
 def run(program, setup):
     """The moves of a program: G00 G01, G90 G91, G43 G44 G49 with H, X Y Z."""
-    if set(setup) - KNOWN or setup["axes"] != ["X", "Y", "Z"] or setup["units"] != "mm":
+    parameters = setup.get("parameters", {})
+    if set(setup) - KNOWN or set(parameters) - {"1411"} or setup["axes"] != ["X", "Y", "Z"] or setup["units"] != "mm":
         raise NotApplicable("settings of the machine")
     offsets = {int(number): value for number, value in setup["offsets"].get("H", {}).items()}
-    at, modal, h, feed, length = dict.fromkeys("XYZ", Decimal(0)), {"motion": 0, "distance": 90, "length": 49}, 0, 0, 0
+    at, modal, h, length = dict.fromkeys("XYZ", Decimal(0)), {"motion": 0, "distance": 90, "length": 49}, 0, 0
+    feed = parameters.get("1411", 0)  # at power-on
     for line, words in enumerate(map(words_of, program.split("\n")), 1):
         modal.update({group: int(words[group]) for group in modal if group in words})
         h, feed = int(words.get("H", h)), words.get("F", feed)
@@ -41,6 +43,8 @@ def run(program, setup):
         before, length = length, {43: 1, 44: -1, 49: 0}[modal["length"]] * Decimal(offsets.get(h, 0))
         for axis in set("XYZ") & set(words):
             at[axis] = Decimal(words[axis]) + (at[axis] if modal["distance"] == 91 else 0)
+        if modal["motion"] and set("XYZ") & set(words) and not Decimal(feed):
+            raise NotApplicable("a cutting move without F")
         if set("XYZ") & set(words) or length != before:
             yield {"kind": "move", "line": line, **({"n": int(words["N"])} if "N" in words else {}),
                    "type": ["rapid", "linear"][modal["motion"]],

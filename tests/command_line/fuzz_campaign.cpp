@@ -126,7 +126,7 @@ TEST_P(Fuzz, OneFaultIsOneFinding) {
   EXPECT_EQ(entries(temporary).size(), 0U) << "the temporary folder is left";
   // Found again it is the same, and nothing is written over.
   const std::string bytes = read(entries(findings)[0] / "finding.json");
-  EXPECT_EQ(command(environment + kWithFaults + fuzz + " --runs 100 --json").status, 1);
+  EXPECT_EQ(command(environment + kWithFaults + fuzz + " --runs 20 --json").status, 1);
   EXPECT_EQ(entries(findings).size(), 1U);
   EXPECT_EQ(read(entries(findings)[0] / "finding.json"), bytes);
 }
