@@ -159,12 +159,17 @@ PoseFit<Number>::View PoseFit<Number>::view(const model::Event& event, const spe
             {}};
   view.tool = vector(*event.tool_axis);
   if (!controlled) {
-    view.own_tool = table_stands_ ? machine_->direction_in_machine(own.pose()) : machine_->direction(own.pose());
+    view.own_tool = outside_the_mode(own.pose());
   } else {
     view.own_tool = view.own_frame.direction(own.pose());
     if (in_workpiece_) view.tool = view.frame.direction(expected.pose());
   }
   return view;
+}
+
+template <class Number>
+Vector PoseFit<Number>::outside_the_mode(const model::Pose& pose) const {
+  return table_stands_ ? machine_->direction_in_machine(pose) : machine_->direction(pose);
 }
 
 template <class Number>
@@ -244,7 +249,7 @@ std::optional<typename PoseFit<Number>::Seen> PoseFit<Number>::seen(std::span<co
   find_zeros(event);
   const View at = view(event, actual);
   // In coordinates whose zero no event has said positions do not tell what the tool is.
-  if (!at.controlled && rough_length(machine_->direction(at.expected.pose()) - at.tool) > policy::kEstimateNoise)
+  if (!at.controlled && rough_length(outside_the_mode(at.expected.pose()) - at.tool) > policy::kEstimateNoise)
     return std::nullopt;
   if (!turns_into(at, scale) && !goes_as_expected(window, at)) return std::nullopt;
   const double direction = rough_length(at.own_tool - at.tool);
