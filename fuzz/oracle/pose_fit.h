@@ -94,6 +94,8 @@ class PoseFit {
     return facts_ == nullptr || facts_->directed(event.line);
   }
   // Of positions as doubles tell them, in radians.
+  // The direction at a pose, outside tool center point control.
+  [[nodiscard]] model::Vector outside_the_mode(const model::Pose& pose) const;
   static double rounded(const View& view);
   [[nodiscard]] bool turns_into(const View& view, const Scale& scale) const;
   [[nodiscard]] bool goes_as_expected(std::span<const model::Event> window, const View& view) const;
