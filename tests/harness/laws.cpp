@@ -144,7 +144,11 @@ spec::Case side() {
                   "LN X+50 Y+0 Z+0 TX+0 TY+0.6 TZ+0.8\nLN X+50 Y+80 Z+0 TX+0 TY+0 TZ+1\nL Y+90 R0\n");
 }
 
-spec::Case turned() { return klartext("face-milling", "TOOL CALL 1 Z\nL X+0 Y+0 Z+0 B+90\nM128\nL X+10 R0\nL B+0\n"); }
+spec::Case turned() {
+  spec::Case c = klartext("face-milling", "TOOL CALL 1 Z\nL X+0 Y+0 Z+0 B+90\nM128\nL X+10 R0\nL B+0\n");
+  c.setup.axes = spec::Axes("XYZABC");
+  return c;
+}
 
 using Break = void (*)(Events&);
 

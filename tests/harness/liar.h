@@ -89,7 +89,10 @@ std::vector<Place> places(std::vector<spec::Event<Number>>& events, const spec::
       other("order", [&e, &next = events[i + 1]] { std::swap(e, next); });
     other("number of events", [&events, i] { events.erase(events.begin() + static_cast<std::ptrdiff_t>(i)); });
     if (e.kind == spec::EventKind::alarm || e.kind == spec::EventKind::warning || open)
-      other("number", [&e] { e.number = e.number.view() == "PS0041" ? "PS0042" : "PS0041"; });
+      other("number", [&e] {
+        e.alarm = spec::AlarmCause::none;  // where a controller names the cause, that counts
+        e.number = e.number.view() == "PS0041" ? "PS0042" : "PS0041";
+      });
     if (open) {
       other("permitted", [&e] { e.permitted.tie = !e.permitted.tie; });
       other("reason", [&e] { e.out_of_scope = !e.out_of_scope; });

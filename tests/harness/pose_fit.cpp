@@ -184,7 +184,7 @@ TEST(PoseFit, ADirectionThatIsRounded) {
   c.section = "fanuc/tool-center-point-control";
   c.setup.axes = spec::Axes("XYZ");
   c.setup.h[1].geometry = spec::decimal(100);
-  c.program = "G43.5 H1\nG01 X10 Y20 I1 J1 K1\n";
+  c.program = "G43.5 H1\nG01 X10 Y20 I1 J1 K1 F100\n";
   const ModelRun run = run_model(c);
   JudgeOptions options;
   options.resolution.vectors = 1e-6;
