@@ -250,8 +250,7 @@ std::optional<typename PoseFit<Number>::Seen> PoseFit<Number>::seen(std::span<co
   find_zeros(event);
   const View at = view(event, actual);
   // In coordinates whose zero no event has said positions do not tell what the tool is.
-  if (!at.controlled && rough_length(reported(at.expected) - at.tool) > policy::kEstimateNoise)
-    return std::nullopt;
+  if (!at.controlled && rough_length(reported(at.expected) - at.tool) > policy::kEstimateNoise) return std::nullopt;
   if (!turns_into(at, scale) && !goes_as_expected(window, at)) return std::nullopt;
   const double direction = rough_length(at.own_tool - at.tool);
   return Seen{adjusted(at, off_tip(event, actual, scale)), direction, rounded(at)};

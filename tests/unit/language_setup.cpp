@@ -259,9 +259,9 @@ TEST(Setup, ErrorsNamePlaceFaultAndExpectation) {
   EXPECT_EQ(toml_error("units = \"cm\""),
             "f.toml:1:9: units: unknown value \"cm\"; expected one of mm, inch; did you mean mm?");
   const std::string unknown = toml_error("\n unit = 1");  // between its ends further second readings may stand
-  EXPECT_TRUE(
-      unknown.starts_with("f.toml:2:2: setup: unknown key \"unit\"; expected one of control, series, units, axes, increment, "
-                          "cutter_compensation, type_b_without_perpendicular, rotary_angles, "))
+  EXPECT_TRUE(unknown.starts_with(
+      "f.toml:2:2: setup: unknown key \"unit\"; expected one of control, series, units, axes, increment, "
+      "cutter_compensation, type_b_without_perpendicular, rotary_angles, "))
       << unknown;
   EXPECT_TRUE(unknown.ends_with(
       ", block_skip, parameters, alarms, offsets, workpiece, position, reference, measurement; did you mean units?"))
@@ -413,10 +413,10 @@ TEST(Setup, KeysOfAControlAreRefusedUnderTheOther) {
                           "parameters", "offsets", "workpiece", "reference", "measurement"})
     EXPECT_EQ(toml_error(kHeidenhain + std::string(key) + " = 1"),
               "f.toml:2:1: setup: \"" + std::string(key) + "\" belongs to control \"fanuc\"");
-  EXPECT_EQ(
-      toml_error(kHeidenhain + std::string("tools = 1")),
-      "f.toml:2:1: setup: unknown key \"tools\"; expected one of control, units, axes, m128_reference, block_skip, alarms, position, tool, "
-      "correction, dr2table; did you mean tool?");
+  EXPECT_EQ(toml_error(kHeidenhain + std::string("tools = 1")),
+            "f.toml:2:1: setup: unknown key \"tools\"; expected one of control, units, axes, m128_reference, "
+            "block_skip, alarms, position, tool, "
+            "correction, dr2table; did you mean tool?");
 }
 
 TEST(Setup, HeidenhainDefaults) {

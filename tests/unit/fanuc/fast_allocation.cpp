@@ -6,8 +6,8 @@
 #include "fast/fanuc/engine.h"
 #include "spec/language/fanuc/program_reader.h"
 #include "spec/language/setup_format.h"
-#include "tests/unit/count_allocations.h"
 #include "tests/support/setup_with_feed.h"
+#include "tests/unit/count_allocations.h"
 
 namespace toolcomp::fast {
 namespace {

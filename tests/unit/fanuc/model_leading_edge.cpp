@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "spec/language/input_error.h"
-#include "tests/unit/model_run.h"
 #include "tests/support/setup_with_feed.h"
+#include "tests/unit/model_run.h"
 
 namespace {
 

@@ -9,8 +9,8 @@
 
 #include "model/fanuc/program/pipeline.h"
 #include "model/fanuc/stages.h"
-#include "tests/unit/model_run.h"
 #include "tests/support/setup_with_feed.h"
+#include "tests/unit/model_run.h"
 
 namespace {
 

@@ -9,8 +9,8 @@
 #include "model/fanuc/tool_posture_control/tool_posture_control.h"
 #include "model/kinematics/pair_choice.h"
 #include "spec/language/setup_format.h"
-#include "tests/support/usual_number.h"
 #include "tests/support/setup_with_feed.h"
+#include "tests/support/usual_number.h"
 
 namespace toolcomp::test {
 
