@@ -172,8 +172,7 @@ Alarm ToolAttitude::check_workpiece_arc(const RotaryPositions& before, const Pos
     const FineVector& line = (i == 0 ? kinematics_.inner() : kinematics_.outer()).axis;
     Vector3<DoubleDouble> standing{line[0], line[1], line[2]};
     // The first axis of a table carries the second.
-    if (i == 1)
-      standing = machine_.in_machine(standing, machine_.fine_turns(start));
+    if (i == 1) standing = machine_.in_machine(standing, machine_.fine_turns(start));
     for (std::size_t k = 0; k < 2; ++k)
       if (std::fabs(standing[in_plane(modal_.plane(), k)].hi) > kNothing) return AlarmCause::table_turned_in_arc;
     turned = true;
