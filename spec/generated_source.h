@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the generators of C++ have in common: clauses/generate.cpp and parameters/generate.cpp.
+// What the generators of C++ have in common: clauses/generate.cpp and parameters/.
 #pragma once
 
+#include <fmt/format.h>
+
+#include <toml++/toml.h>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -22,6 +25,12 @@ inline std::string literal(std::string_view text) {
       out += c;
   }
   return out + '"';
+}
+
+// Throws std::runtime_error that names file, line and column.
+[[noreturn]] inline void fail(const std::filesystem::path& file, const toml::source_region& where,
+                              std::string_view what) {
+  throw std::runtime_error(fmt::format("{}:{}:{}: {}", file.string(), where.begin.line, where.begin.column, what));
 }
 
 // Written only when changed, so that nothing is built again for a comment. Throws std::runtime_error naming the file.

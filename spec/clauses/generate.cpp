@@ -10,7 +10,6 @@
 #include <iostream>
 #include <iterator>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +18,7 @@
 
 namespace {
 
+using toolcomp::spec::fail;
 using toolcomp::spec::literal;
 using toolcomp::spec::write_changed;
 
@@ -29,10 +29,6 @@ struct ClauseText {
   bool testable = true;
   bool makes_value = false;
 };
-
-[[noreturn]] void fail(const std::filesystem::path& file, const toml::source_region& where, std::string_view what) {
-  throw std::runtime_error(fmt::format("{}:{}:{}: {}", file.string(), where.begin.line, where.begin.column, what));
-}
 
 std::string text_of(const toml::table& table, std::string_view key) { return table[key].value_or(std::string()); }
 

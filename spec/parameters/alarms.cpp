@@ -6,7 +6,6 @@
 #include <toml++/toml.h>
 #include <algorithm>
 #include <iterator>
-#include <stdexcept>
 #include <string_view>
 
 #include "spec/generated_source.h"
@@ -50,10 +49,6 @@ inline constexpr std::array<AlarmInfo, {}> kAlarms{{{{
 std::string enumerator(std::string cause) {
   std::ranges::replace(cause, '-', '_');
   return cause;
-}
-
-[[noreturn]] void fail(const std::filesystem::path& file, const toml::source_region& where, std::string_view what) {
-  throw std::runtime_error(fmt::format("{}:{}:{}: {}", file.string(), where.begin.line, where.begin.column, what));
 }
 
 }  // namespace

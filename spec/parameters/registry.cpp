@@ -4,7 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
+
+#include "spec/generated_source.h"
 
 namespace toolcomp::spec {
 
@@ -38,10 +39,7 @@ const toml::node* Registry::of_type(std::string_view type, std::string_view key)
   return table == nullptr ? nullptr : table->get(key);
 }
 
-void Registry::fail(const toml::node& node, std::string_view what) const {
-  const auto& where = node.source().begin;
-  throw std::runtime_error(fmt::format("{}:{}:{}: {}", file_.string(), where.line, where.column, what));
-}
+void Registry::fail(const toml::node& node, std::string_view what) const { spec::fail(file_, node.source(), what); }
 
 void Registry::expect_keys(const toml::table& table, std::span<const std::string_view> known) const {
   for (const auto& [key, value] : table)
