@@ -20,10 +20,9 @@ def words_of(block):
     """The words of a block by address, its codes by group."""
     words = re.findall(r"([A-Z])([+-]?\d+\.?\d*)", block)
     named = [(GROUPS.get(Decimal(number), "") if address == "G" else address, number) for address, number in words]
-    if "".join(a + n for a, n in words) != re.sub(r"\s", "", block) or len(dict(named)) < len(named):
+    known = set(dict(named)) <= {*GROUPS.values(), *"NXYZFH"} and len(dict(named)) == len(named)
+    if not known or "".join(a + n for a, n in words) != re.sub(r"\s", "", block):
         raise NotApplicable("the block " + block)
-    if set(dict(named)) - {*GROUPS.values(), *"NXYZFH"}:
-        raise NotApplicable("a word of " + block)
     return dict(named)
 
 
@@ -53,11 +52,9 @@ def run(program, setup):
 
 
 for request in map(json.loads, sys.stdin):
-    if "hello" in request:
-        answer = HELLO
-    else:
-        try:
-            answer = {"id": request["id"], "events": list(run(request["program"], request["setup"]))}
-        except NotApplicable as why:
-            answer = {"id": request["id"], "not_applicable": str(why)}
+    try:
+        answer = HELLO if "hello" in request else {
+            "id": request["id"], "events": list(run(request["program"], request["setup"]))}
+    except NotApplicable as why:
+        answer = {"id": request["id"], "not_applicable": str(why)}
     print(json.dumps(answer), flush=True)

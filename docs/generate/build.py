@@ -17,6 +17,7 @@ import figures
 import formal
 import pages
 import pictures
+import readings
 from formulas import formulas
 from tree import ROOT
 
@@ -29,6 +30,8 @@ GENERATORS = {
     "definitions": formal.definitions,
     "theorems": formal.theorems,
     "picture": pictures.picture,
+    "readings-keys": readings.keys,
+    "readings-parameters": readings.parameters,
     "worked": pictures.worked,
     "counted": figures.counted,
     "sections": figures.sections,
