@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // toolcomp run: the events of one program, as they come.
+#include <fmt/format.h>
+
 #include <iostream>
 #include <string>
 #include <string_view>
@@ -10,6 +12,7 @@
 #include "cli/output.h"
 #include "cli/program.h"
 #include "cli/program_page.h"
+#include "cli/radii_note.h"
 #include "cli/verbs.h"
 #include "fast/basis/event.h"
 #include "fast/basis/print.h"
@@ -21,6 +24,7 @@
 #include "spec/language/event_format.h"
 #include "spec/language/event_map.h"
 #include "spec/language/input_error.h"
+#include "spec/language/printable.h"
 #include "spec/language/text_buffer.h"
 
 namespace toolcomp::cli {
@@ -45,6 +49,12 @@ struct ModelNumber {
   }
 };
 
+double nearest(double value) { return value; }
+double nearest(const exact::Real& value) {
+  const exact::DoubleEnclosure enclosure = value.double_enclosure();
+  return enclosure.lower / 2 + enclosure.upper / 2;
+}
+
 template <class Number>
 void report(const Program& program, const RecentBlocks& recent, const spec::Event<Number>& alarm) {
   const RecentBlocks::LineColumn at = recent.place(alarm.line);
@@ -58,7 +68,12 @@ class Printer final : public spec::EventSink<Number> {
  public:
   // `start`: where the program starts, linear axes.
   Printer(const Program& program, Format format, AppendNumber append, const spec::AxisValues<Number>& start)
-      : program_(program), format_(format), append_(std::move(append)), gcode_{start}, units_(program.setup().units) {
+      : program_(program),
+        format_(format),
+        append_(std::move(append)),
+        gcode_{start},
+        units_(program.setup().units),
+        radii_(program.setup()) {
     std::string head;
     if (format_ == Format::csv) spec::append_csv_header(head, program_.setup().axes, program_.setup().control);
     spec::TextCursor(buffer_).append(head);
@@ -69,6 +84,7 @@ class Printer final : public spec::EventSink<Number> {
 
   void on(const spec::Event<Number>& event) override {
     begin();
+    radii_.on(event, [](const Number& value) { return nearest(value); });
     if (format_ == Format::gcode && program_.samples() > 1)
       print_inside(event);
     else
@@ -93,6 +109,9 @@ class Printer final : public spec::EventSink<Number> {
     if (format_ == Format::gcode) spec::append_gcode_end(tail);
     spec::TextCursor(buffer_).append(tail);
     flush();
+    if (radii_.first_line() == 0) return;
+    const Place place = program_.place(radii_.first_line(), 1);
+    note(fmt::format("{}:{}: {}", spec::printable(spec::display_name(place.file)), place.line, radii_.text()));
   }
   void flush() {
     const std::string_view text = buffer_.view();
@@ -156,6 +175,7 @@ class Printer final : public spec::EventSink<Number> {
   std::vector<spec::AxisValues<Number>> inside_;  // axes at the samples of the block whose move comes next
   RecentBlocks recent_;
   spec::Units units_;
+  RadiiNote radii_;
   bool begun_ = false;
   bool undecided_ = false;
 };
@@ -245,12 +265,6 @@ struct Collector final : spec::EventSink<Number> {
   }
   void flush() {}
   void end() {}
-
-  static double nearest(double value) { return value; }
-  static double nearest(const exact::Real& value) {
-    const exact::DoubleEnclosure enclosure = value.double_enclosure();
-    return enclosure.lower / 2 + enclosure.upper / 2;
-  }
 };
 
 // The path as a picture.

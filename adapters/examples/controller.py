@@ -19,21 +19,20 @@ class NotApplicable(Exception):
 def words_of(block):
     """The words of a block by address, its codes by group."""
     words = re.findall(r"([A-Z])([+-]?\d+\.?\d*)", block)
-    named = [(GROUPS.get(Decimal(number), "") if address == "G" else address, number) for address, number in words]
-    known = set(dict(named)) <= {*GROUPS.values(), *"NXYZFH"} and len(dict(named)) == len(named)
+    named = {GROUPS.get(Decimal(number), "") if address == "G" else address: number for address, number in words}
+    known = set(named) <= {*GROUPS.values(), *"NXYZFH"} and len(named) == len(words)
     if not known or "".join(a + n for a, n in words) != re.sub(r"\s", "", block):
         raise NotApplicable("the block " + block)
-    return dict(named)
+    return named
 
 
 def run(program, setup):
     """The moves of a program: G00 G01, G90 G91, G43 G44 G49 with H, X Y Z."""
-    parameters = setup.get("parameters", {})
-    if set(setup) - KNOWN or set(parameters) - {"1411"} or setup["axes"] != ["X", "Y", "Z"] or setup["units"] != "mm":
+    if {*setup} - KNOWN or {*setup.get("parameters", {})} - {"1411"} or [*setup["axes"], setup["units"]] != [*"XYZ", "mm"]:
         raise NotApplicable("settings of the machine")
     offsets = {int(number): value for number, value in setup["offsets"].get("H", {}).items()}
     at, modal, h, length = dict.fromkeys("XYZ", Decimal(0)), {"motion": 0, "distance": 90, "length": 49}, 0, 0
-    feed = parameters.get("1411", 0)  # at power-on
+    feed = setup.get("parameters", {}).get("1411", 0)  # at power-on
     for line, words in enumerate(map(words_of, program.split("\n")), 1):
         modal.update({group: int(words[group]) for group in modal if group in words})
         h, feed = int(words.get("H", h)), words.get("F", feed)

@@ -44,6 +44,24 @@ TEST_P(Run, OffsetsReplaceAndDoNotAccumulate) {
   EXPECT_EQ(outcome.events()[1].at("axes").at("Z"), 130);
 }
 
+// Radii 5 and 3 about (5, 0); 10 and 11 about (10, 20) under G41; then 10 and 10 while D2 comes in. Without 3410 the
+// first two are told.
+TEST_P(Run, TellsRadiiThatDifferWhereTheSetupHasNoLimit) {
+  const Folder folder;
+  const std::string program = folder.write("p.nc",
+                                           "G03 X8 Y0 I5 F100\nG41 D1 G01 X20\nY20\nG03 X10 Y31 I-10\n"
+                                           "G03 X0 Y21 J-10 D2\nG01 X-10\n");
+  const std::string start = "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\"]\n[offsets.D]\n1 = 1\n2 = 2\n";
+  const std::string run = "run " + program + " --engine " + GetParam() + " --setup ";
+  EXPECT_EQ(toolcomp(run + folder.write("without.toml", start)).err,
+            program +
+                ":1: the radii of this arc and of 1 more differ by up to 2; the setup has no parameter 3410, with "
+                "which a control raises PS0020\n");
+  const std::string with = folder.write("with.toml", start + "[parameters]\n3410 = 2\n");
+  EXPECT_EQ(toolcomp(run + with).err, "");
+  EXPECT_EQ(toolcomp(run + folder.write("quiet.toml", start) + " --quiet").err, "");
+}
+
 // LE1 and LE2 (corpus/examples/fanuc/leading_edge_offset.cpp): VT (±3/5, 0, 4/5), VM (100, 0, 0), R = 10 give VC (∓8,
 // 0, 6).
 TEST_P(Run, LeadingEdgeOfALeaningTool) {

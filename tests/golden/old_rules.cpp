@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules that pages of manuals contradicted, planted back in all engines at once: each engine is handed the case that the
-// old rule made of it, so all agree. The vector of the rule still refuses what they say, and its figures were worked out
-// by hand (corpus/examples, golden/figures.cpp). Those that a law finds stand in fuzz/faults/wrong_clauses.
+// Rules that pages of manuals contradicted, planted back in all engines at once: each engine is handed the case that
+// the old rule made of it, so all agree. The vector of the rule still refuses what they say, and its figures were
+// worked out by hand (corpus/examples, golden/figures.cpp). Those that a law finds stand in fuzz/faults/wrong_clauses.
 #include <gtest/gtest.h>
 
 #include <cstdint>
