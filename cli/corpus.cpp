@@ -124,8 +124,14 @@ int corpus_lint(const CorpusOptions& options) {
 int corpus_diff(const CorpusOptions& options) {
   const std::vector<spec::Case> before = corpus::read_golden(options.against);
   const std::vector<spec::Case> after = corpus::read_golden(folder_of(options));
-  const std::vector<corpus::Change> changes = corpus::diff(before, after);
+  std::vector<corpus::Change> changes = corpus::diff(before, after);
+  {
+    const Progress progress("removed vectors");
+    corpus::ask_again(changes, before, &Progress::count);
+  }
   for (const corpus::Change& change : changes) fmt::print("{}\n", corpus::to_string(change));
+  for (const auto& [clause, vectors] : corpus::by_clause(changes))
+    fmt::print("{} answered otherwise: {}\n", vectors, clause.empty() ? "no clause" : clause);
   const corpus::Version version = corpus::parse_version(corpus::read_manifest(options.against).version);
   fmt::print("{} changes; version {} becomes {}\n", changes.size(), corpus::to_string(version),
              corpus::to_string(corpus::raised(version, changes)));

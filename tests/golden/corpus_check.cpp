@@ -218,6 +218,17 @@ TEST(CorpusDiff, EveryKindOfChange) {
   EXPECT_EQ(changes[2].kind, ChangeKind::described);
   EXPECT_EQ(changes[3].kind, ChangeKind::added);
 
+  // Asked again, 0 is answered as it was; with another expectation it is not.
+  std::vector<Change> asked = changes;
+  ask_again(asked, before);
+  EXPECT_EQ(to_string(asked[0]), to_string(changes[0]));
+  EXPECT_EQ(by_clause(asked), (std::map<std::string, std::size_t>{{changes[1].clause, 1}}));
+  before[0].expect[0].line = 7;
+  ask_again(asked, before);
+  EXPECT_EQ(asked[0].kind, ChangeKind::removed);
+  EXPECT_NE(asked[0].before.find("\"line\":7"), std::string::npos) << asked[0].before;
+  EXPECT_NE(asked[0].after, asked[0].before);
+
   const Version version{2, 3, 4};
   EXPECT_EQ(to_string(raised(version, changes)), "3.0.0");
   EXPECT_EQ(to_string(raised(version, std::vector<Change>{changes[3]})), "2.4.0");
