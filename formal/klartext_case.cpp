@@ -97,7 +97,8 @@ Data statement(const Block& block) {
     kCorrectionRow,
     kCorrectionReset,
     kCycle,
-    kAssignment
+    kAssignment,
+    kCallProgram
   };
   const auto kind = [](Kind k) { return Data(std::int64_t{k}); };
   switch (block.statement) {
@@ -132,6 +133,8 @@ Data statement(const Block& block) {
       return List{kind(kCycle), whole(block.cycle), whole(block.cycle_part), axis_words(block)};
     case Statement::assignment:
       return List{kind(kAssignment), parameter_kind(block.target), whole(block.target.index), written(block.value)};
+    case Statement::call_program:
+      return List{kind(kCallProgram)};
     default:
       return List{};
   }

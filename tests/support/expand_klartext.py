@@ -10,7 +10,7 @@ line of the main file, or one behind it, where the files called follow in the or
 Written from the words of the manuals, not from the reader it is held against:
 * CALL LBL n: the program goes on at LBL n, up to LBL 0, and then behind the call.
 * CALL LBL n REP m: the section from LBL n to here is run m times more.
-* CALL PGM: the other program from its BEGIN PGM to its END PGM, then behind the call.
+* CALL PGM: the other program from its BEGIN PGM to its END PGM, then after the call. It cancels the radius compensation.
 It expects a program without faults and raises where it finds one.
 """
 import pathlib
@@ -115,6 +115,8 @@ class Expansion:
                         continue
                     del more[at]
             elif block.key == ["CALL", "PGM"]:
+                self.flat.append("L R0")
+                self.map.append(block.number)
                 self.run(self.programs[self.name(block)], 0, False, False)
             elif block.key == ["END", "PGM"]:
                 if is_main:

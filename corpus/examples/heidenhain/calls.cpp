@@ -38,6 +38,13 @@ constexpr Example kCalls[] = {
      "1\nLBL 1\nL IZ1\nEND PGM SUB MM\n",
      "2 programmed tip=1,0,0\n7 programmed tip=1,1,0\n10 programmed tip=1,1,1\n7 programmed tip=1,2,1\n"
      "10 programmed tip=1,2,2\n"},
+    {"CALL PGM under RL sets R0, 0.1 beside: the block before ends in its own direction, (20,-0.1), and the program "
+     "called and what follows it run on their words, (20,20) (40,20).",
+     TOOL_1(END_MILL),
+     "BEGIN PGM MAIN MM\nTOOL CALL 1 Z\nL X0 Y-10 R0 M128\nL Y0 RL\nL X20\nCALL PGM SUB\nL X40\nEND PGM MAIN "
+     "MM\nBEGIN PGM SUB MM\nL Y20\nEND PGM SUB MM\n",
+     "3 programmed tip=0,-10,0\n4 start-up tip=0,-0.1,0\n5 programmed tip=20,-0.1,0\n10 cancel tip=20,20,0\n"
+     "7 programmed tip=40,20,0\n"},
     {"Modal words come back from a subprogram, the feed here.", TOOL_1(REWORKED),
      "L X1 F100\nCALL LBL 1\nL X3\nM30\nLBL 1\nL X2 F200\nLBL 0\n",
      "1 programmed tip=1,0,0 feed=100\n6 programmed tip=2,0,0 feed=200\n3 programmed tip=3,0,0 feed=200\n"},

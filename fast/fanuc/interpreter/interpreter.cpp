@@ -129,7 +129,7 @@ void Interpreter::block(const spec::Block& block) {
     raise(a);
   else if (control_.attitude.tip().active() && rest_)
     tip_lines_.await();
-  else if (on_ == nullptr && words.axes() != 0 && may_be_lines())
+  else if (on_ == nullptr && words.axes() != 0 && !control_.refuses_repeats && may_be_lines())
     axis_lines_.await(move_, *moves_);
 }
 

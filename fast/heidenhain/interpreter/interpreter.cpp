@@ -199,6 +199,9 @@ Alarm Interpreter::execute(const Block& block, Functions functions) {
       break;
     case Statement::assignment:
       return assign(block);
+    case Statement::call_program:
+      side_ = 0;
+      break;
     case Statement::begin_program:
     case Statement::block_form:
     case Statement::tool_definition:
@@ -207,7 +210,6 @@ Alarm Interpreter::execute(const Block& block, Functions functions) {
     case Statement::stop:
     case Statement::label:
     case Statement::call_label:
-    case Statement::call_program:
     case Statement::program_return:
     case Statement::miscellaneous:
     case Statement::without_effect:

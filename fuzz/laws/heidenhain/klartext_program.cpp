@@ -74,6 +74,9 @@ class State {
       case Statement::programmed_path:
         state_.contour = b.contour;
         break;
+      case Statement::call_program:
+        state_.side = 0;
+        break;
       case Statement::correction_row:
         if (b.corrections != CorrectionTable::wpl) row_ = b.row;
         stale_ = true;

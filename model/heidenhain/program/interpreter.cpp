@@ -102,9 +102,13 @@ std::optional<Motion> Interpreter::execute(const Block& block, const Functions& 
       break;
     case Statement::label:
     case Statement::call_label:
-    case Statement::call_program:
     case Statement::program_return:
       record_call(recorder_, block);
+      break;
+    case Statement::call_program:
+      record_call(recorder_, block);
+      // heidenhain.program.program-call-cancels: CALL PGM cancels the radius compensation.
+      if (recorder_.decide(Clause::heidenhain_program_program_call_cancels, side_ != Side::none)) side_ = Side::none;
       break;
     case Statement::begin_program:
     case Statement::end_program:

@@ -62,12 +62,13 @@ Inductive statement (num : Type) :=
 | CorrectionReset (table : correction_table)
 | Cycle (number part : Z) (shifts : list (axis_word num))
 | Assignment (p : q_parameter) (v : written num)
+| CallProgram
 | OtherStatement.                                (* read, and without effect *)
 Arguments BeginProgram {num} inch. Arguments EndProgram {num}. Arguments ToolCall {num} tool tool_axis given f.
 Arguments Line {num} w. Arguments LineWithVectors {num} w normal tool_vector. Arguments FunctionTcpm {num} reference.
 Arguments ResetTcpm {num}. Arguments ProgPath {num} is_contour. Arguments CorrectionRow {num} table row.
 Arguments CorrectionReset {num} table. Arguments Cycle {num} number part shifts. Arguments Assignment {num} p v.
-Arguments OtherStatement {num}.
+Arguments CallProgram {num}. Arguments OtherStatement {num}.
 
 Record klartext_block (num : Type) := KlartextBlock {
   says : statement num;

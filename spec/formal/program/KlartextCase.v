@@ -52,7 +52,8 @@ Definition statement_of {num} {N : Numbers num} (d : data) : statement num :=
          CorrectionRow (correction_table_of (at_ 1%nat)) (whole_of (at_ 2%nat));
          CorrectionReset (correction_table_of (at_ 1%nat));
          Cycle (whole_of (at_ 1%nat)) (whole_of (at_ 2%nat)) (map axis_word_of (entries (at_ 3%nat)));
-         Assignment (parameter_of (at_ 1%nat) (at_ 2%nat)) (written_of (at_ 3%nat))]
+         Assignment (parameter_of (at_ 1%nat) (at_ 2%nat)) (written_of (at_ 3%nat));
+         CallProgram]
         OtherStatement kind
   end.
 

@@ -47,6 +47,7 @@ Definition klartext_step {num} {N : Numbers num} (s : klartext_setup num) (b : k
     | Cycle number part shifts =>
         only (if (number =? 7) && negb (part =? 0) then with_datum (shifted_datum s shifts st) st else st)
     | Assignment p v => only (with_parameter p (value_of st v) st)
+    | CallProgram => only (without_radius_compensation st)
     | _ => only st
     end ;;
   Got (closes b st, p).

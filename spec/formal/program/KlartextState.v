@@ -234,6 +234,10 @@ Definition call_tool {num} {N : Numbers num} (s : klartext_setup num) (tool : ca
   let st := with_tool t (with_line_modes (if without_tool then radius_mode st else R0) (feeds_after_call st f) st) in
   Got (at_end_of_motion (position st) None st).
 
+(** heidenhain.program.program-call-cancels: CALL PGM cancels the radius compensation. *)
+Definition without_radius_compensation {num} (st : klartext_state num) : klartext_state num :=
+  with_line_modes R0 (feeds_of st) st.
+
 (** heidenhain.program.delta-sum: of TOOL CALL and of the compensation table. *)
 Definition tool_now {num} {N : Numbers num} (st : klartext_state num) : tool_in_force num :=
   let t := tool_of st in
