@@ -20,7 +20,7 @@ Alarm Control::plan_arc(const Words& words, BlockArc& arc, bool geometry, bool a
     if ((words.axes() & bit(axis)) != 0) end[i] = target(words, axis) + positions.tool_offset()[axis];
   }
   if (!end[0].in_range() || !end[1].in_range()) return AlarmCause::position_range;
-  if (!runs_arc(words, start, end)) {
+  if (!modal.runs_arc(words, start, end)) {
     arc.event.reset();
     return AlarmCause::none;
   }

@@ -90,13 +90,6 @@ struct Control {
   [[nodiscard]] Count travel(const Words& words, std::size_t axis) const {
     return positions.travel(words, axis, units, modal.incremental());
   }
-  // Whether a block that is an arc by its words runs one: R with the end in the start is an arc of 0 degrees, and
-  // without R and I J K CIR may make it a line.
-  [[nodiscard]] bool runs_arc(const Words& words, const std::array<Count, 2>& start,
-                              const std::array<Count, 2>& end) const {
-    if (words.has('R')) return !(start == end);
-    return !line_without_center_ || words.has_any(Words::set_of("IJK"));
-  }
   // Of an arc about a centre: its radii may differ by no more than 3410.
   [[nodiscard]] Alarm check_radii(const std::array<Count, 2>& start, const std::array<Count, 2>& end,
                                   const std::array<Count, 2>& to_center) const {
@@ -125,8 +118,7 @@ struct Control {
   void send_alarm(AlarmCause cause, const char* more, std::uint64_t at, const std::optional<std::uint64_t>& n_at);
   void send_end(spec::EventKind kind, std::uint64_t at, const std::optional<std::uint64_t>& n_at);
 
-  bool line_without_center_;  // 3403#5 = 0
-  Count radii_apart_;         // 3410; 0: by anything
+  Count radii_apart_;  // 3410; 0: by anything
   spec::AlarmNumbers numbers_;
   EventSink& sink_;
   Event notice_;  // alarms and settings

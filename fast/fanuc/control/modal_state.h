@@ -36,7 +36,11 @@ constexpr char direction_letter(spec::Plane plane, std::size_t i) {
 class ModalState {
  public:
   // G00, G17, G90, no feed.
-  explicit ModalState(const std::array<std::size_t, 3>& xyz) : xyz_(xyz) { select_plane(plane_); }
+  // `line_without_center`: 3403#5 = 0.
+  ModalState(const std::array<std::size_t, 3>& xyz, bool line_without_center)
+      : xyz_(xyz), line_without_center_(line_without_center) {
+    select_plane(plane_);
+  }
 
   // Group 01, in tenths.
   [[nodiscard]] Code motion() const { return motion_; }
@@ -51,6 +55,14 @@ class ModalState {
            (words.code(Words::kOneShot) == kNone || words.is_tool_offset());
   }
 
+  // Whether a block that is an arc by its words runs one: R with the end in the start is an arc of 0 degrees, and
+  // without R and I J K CIR may make it a line.
+  [[nodiscard]] bool runs_arc(const Words& words, const std::array<Count, 2>& start,
+                              const std::array<Count, 2>& end) const {
+    if (words.has('R')) return !(start == end);
+    return !line_without_center_ || words.has_any(Words::set_of("IJK"));
+  }
+
   // The words of an arc into an ArcWords or a CutterBlock (read_words.h).
   template <class Arc>
   void read_arc(const Words& words, const WordUnits& units, Arc& arc) const;
@@ -58,6 +70,10 @@ class ModalState {
   // Group 02.
   [[nodiscard]] spec::Plane plane() const { return plane_; }
   void select_plane(spec::Plane plane);
+  // Of X Y Z the two of the selected plane.
+  [[nodiscard]] std::array<Count, 2> in_selected_plane(const std::array<Count, 3>& xyz) const {
+    return {xyz[in_plane(plane_, 0)], xyz[in_plane(plane_, 1)]};
+  }
   // The axes of the selected plane; spec::Axes::kNone: not there.
   [[nodiscard]] const std::array<std::size_t, 2>& plane_axis() const { return plane_axis_; }
   [[nodiscard]] std::array<std::size_t, 2> axes_of(spec::Plane plane) const {
@@ -91,6 +107,7 @@ class ModalState {
 
  private:
   std::array<std::size_t, 3> xyz_;
+  bool line_without_center_;
   Code motion_ = 0;
   spec::Plane plane_ = spec::Plane::xy;
   std::array<std::size_t, 2> plane_axis_{};

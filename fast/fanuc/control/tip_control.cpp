@@ -92,7 +92,8 @@ Alarm ToolAttitude::plan_posture(const Words& words, Mask axes, const std::array
   TipBlock& block = tip_.block();
   if (modal_.by_vector()) return plan_direction(words, from, block);
   const Pose& start = tip_.before().plan.end;
-  if (machine_.workpiece_frame() && modal_.is_arc(words))
+  if (machine_.workpiece_frame() && modal_.is_arc(words) &&
+      modal_.runs_arc(words, modal_.in_selected_plane(from), modal_.in_selected_plane(positions_.programmed_xyz())))
     if (const Alarm a = check_workpiece_arc(before, start)) return a;
   if ((axes & axes_.turning) == 0) {
     posture_.stand(start, block.plan);
@@ -139,9 +140,9 @@ const Direction& ToolAttitude::leaned(const Words& words, const std::array<Count
 bool ToolAttitude::lean(const Words& words, const std::array<Count, 3>& from, Direction& to_direction) const {
   const std::array<Count, 3> to = positions_.programmed_xyz();
   const std::array<std::size_t, 2> in{in_plane(modal_.plane(), 0), in_plane(modal_.plane(), 1)};
-  const std::array<Count, 2> start{from[in[0]], from[in[1]]};
-  const std::array<Count, 2> end{to[in[0]], to[in[1]]};
-  if (!modal_.is_arc(words) || start == end) {
+  const std::array<Count, 2> start = modal_.in_selected_plane(from);
+  const std::array<Count, 2> end = modal_.in_selected_plane(to);
+  if (!modal_.is_arc(words) || !modal_.runs_arc(words, start, end)) {
     std::array<Int128, 3> travel{};
     for (std::size_t i = 0; i < 3; ++i) travel[i] = to[i].units() - from[i].units();
     return fast::lean(kinematics_, commanded_, travel, lean_angle_, to_direction);

@@ -367,7 +367,7 @@ Alarm CutterStage<Compensation>::refuse(const Words& words, CutterBlock& block, 
   for (std::size_t i = 0; i < 2; ++i)
     block.end[i] = (block.named >> i & 1U) != 0 ? control_.target(words, plane[i]) : block.start[i];
   std::array<double, 2> center{};
-  if (!control_.runs_arc(words, block.start, block.end)) return placed;
+  if (!control_.modal.runs_arc(words, block.start, block.end)) return placed;
   const Alarm a = read_arc(words, block, center);
   return a ? a : placed;
 }
@@ -461,7 +461,7 @@ Alarm CutterStage<Compensation>::plain_block(const Words& words) {
   block.end[0] = positions.programmed()[plane[0]];
   block.end[1] = positions.programmed()[plane[1]];
   if (arc) {
-    if (control.runs_arc(words, block.start, block.end)) [[likely]]
+    if (control.modal.runs_arc(words, block.start, block.end)) [[likely]]
       return take_arc(words, block);
     block.own = axes != 0;
   }
