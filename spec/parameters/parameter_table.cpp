@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "spec/generated_source.h"
 #include "spec/parameters/registry.h"
@@ -15,7 +16,8 @@
 namespace toolcomp::spec {
 namespace {
 
-constexpr std::string_view kKeys[] = {"id", "type", "range", "values", "default", "unit", "clauses", "example", "text"};
+constexpr std::string_view kKeys[] = {"id",      "through", "type",    "range",   "values",
+                                      "default", "unit",    "clauses", "example", "text"};
 constexpr std::string_view kTypes[] = {"bit", "integer", "decimal", "length", "angle", "axis"};
 
 constexpr std::string_view kFile = R"(// Generated from the registry of parameters. Do not edit.
@@ -39,10 +41,14 @@ class Parameters {
   explicit Parameters(const Registry& registry) : registry_(registry) {}
 
   [[nodiscard]] std::string table() const {
-    const auto entries = registry_.entries("parameter");
     std::string rows;
-    for (const toml::table* entry : entries) rows += row(*entry);
-    return fmt::format(kFile, rows, entries.size());
+    std::size_t count = 0;
+    for (const toml::table* entry : registry_.entries("parameter"))
+      for (const std::string& id : ids(*entry)) {
+        rows += row(*entry, id);
+        ++count;
+      }
+    return fmt::format(kFile, rows, count);
   }
 
  private:
@@ -68,8 +74,9 @@ class Parameters {
     registry_.fail(node, "an integer or a quoted decimal must stand here");
   }
 
-  // "5001#2" as "5001, 2"; a whole number has bit -1.
-  [[nodiscard]] std::string id(const toml::table& table) const {
+  // "5001#2" as "5001, 2"; a whole number has bit -1. With `through` all numbers up to that one: they differ in
+  // nothing.
+  [[nodiscard]] std::vector<std::string> ids(const toml::table& table) const {
     const auto* node = table.get("id");
     const std::string text = node == nullptr ? std::string() : node->value_or(std::string());
     const std::size_t mark = text.find('#');
@@ -80,10 +87,18 @@ class Parameters {
     const bool is_bit = mark == std::string::npos || (bit.size() == 1 && bit[0] >= '0' && bit[0] <= '7');
     if (!is_number || !is_bit)
       registry_.fail(node == nullptr ? table : *node, "id: a number or number#bit must stand here");
-    return number + ", " + bit;
+    std::vector<std::string> list{number + ", " + bit};
+    if (const toml::node* through = table.get("through")) {
+      const std::int64_t last = through->value_or(std::int64_t{0});
+      if (bit != "-1" || last <= std::stoll(number) || last > 99999)
+        registry_.fail(*through, "through: a greater number, of parameters without bit, must stand here");
+      for (std::int64_t next = std::stoll(number) + 1; next <= last; ++next)
+        list.push_back(std::to_string(next) + ", -1");
+    }
+    return list;
   }
 
-  [[nodiscard]] std::string row(const toml::table& table) const {
+  [[nodiscard]] std::string row(const toml::table& table, const std::string& id) const {
     registry_.expect_keys(table, kKeys);
     const std::string type = registry_.text(table, "type");
     if (std::ranges::find(kTypes, type) == std::end(kTypes))
@@ -91,12 +106,12 @@ class Parameters {
     const toml::node* default_value = table.get("default");
     const toml::node* example = table.get("example");
     const toml::node* unit = own_or_of_type(table, "unit");
-    return fmt::format(
-        "    ParameterInfo{{{{{}}}, ParameterType::{}, {}, {},\n      {}, {}, {},\n      {}}},\n", id(table), type,
-        bounds(table, type), default_value == nullptr ? "std::nullopt" : decimal(*default_value),
-        literal(unit == nullptr ? std::string() : unit->value_or(std::string())),
-        literal(fmt::format("{}", fmt::join(registry_.clauses(table), "\n"))),
-        literal(example == nullptr ? std::string() : number_text(*example)), literal(registry_.text(table, "text")));
+    return fmt::format("    ParameterInfo{{{{{}}}, ParameterType::{}, {}, {},\n      {}, {}, {},\n      {}}},\n", id,
+                       type, bounds(table, type), default_value == nullptr ? "std::nullopt" : decimal(*default_value),
+                       literal(unit == nullptr ? std::string() : unit->value_or(std::string())),
+                       literal(fmt::format("{}", fmt::join(registry_.clauses(table), "\n"))),
+                       literal(example == nullptr ? std::string() : number_text(*example)),
+                       literal(registry_.text(table, "text")));
   }
 
   // Least, greatest, and the only values, of which an empty list admits all between.
