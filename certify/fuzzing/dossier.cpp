@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "certify/fuzzing/dossier.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <iterator>
 #include <sstream>
 #include <string_view>
@@ -133,6 +135,19 @@ bool stays(const fs::path& file, const Finding& other) {
   }
 }
 
+// `part` becomes `folder`. One that is there is exchanged at once: others read it meanwhile, and a kill leaves one of
+// both.
+void put_in_place(const fs::path& part, const fs::path& folder) {
+  if (fs::exists(folder)) {
+    if (::renameat2(AT_FDCWD, part.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) == 0) {
+      fs::remove_all(part);
+      return;
+    }
+    fs::remove_all(folder);  // a file system that cannot exchange
+  }
+  fs::rename(part, folder);
+}
+
 // The input of a reader: bytes that are no case.
 bool write_reader(const Dossier& dossier, const fs::path& folder, const fs::path& part) {
   const Finding& f = dossier.finding;
@@ -146,8 +161,7 @@ bool write_reader(const Dossier& dossier, const fs::path& folder, const fs::path
   spec::write_file(part / "finding.txt",
                    fmt::format("{} at an input of {}{}{}\n\nfound by  {}\nrepeat    build/fuzz/{} input\n", f.key.kind,
                                f.target, f.key.clause.empty() ? "" : ", ", f.key.clause, f.target, f.target));
-  fs::remove_all(folder);
-  fs::rename(part, folder);
+  put_in_place(part, folder);
   return fresh;
 }
 
@@ -235,8 +249,7 @@ bool write_dossier(const Dossier& dossier, const fs::path& folder) {
   }
   spec::write_file(part / "finding.txt", story(dossier, margin));
   spec::write_file(part / "finding.json", write_finding(f));
-  fs::remove_all(folder);
-  fs::rename(part, folder);
+  put_in_place(part, folder);
   return fresh;
 }
 

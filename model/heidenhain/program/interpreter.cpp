@@ -107,7 +107,8 @@ std::optional<Motion> Interpreter::execute(const Block& block, const Functions& 
       break;
     case Statement::call_program:
       record_call(recorder_, block);
-      // heidenhain.program.program-call-cancels: CALL PGM cancels the radius compensation.
+      // heidenhain.program.program-call-cancels: CALL PGM cancels the radius compensation: R0 until RL or RR is
+      // programmed again, in the program called or after the call.
       if (recorder_.decide(Clause::heidenhain_program_program_call_cancels, side_ != Side::none)) side_ = Side::none;
       break;
     case Statement::begin_program:
