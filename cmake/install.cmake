@@ -16,7 +16,8 @@ install(TARGETS toolcomp_c EXPORT c LIBRARY PUBLIC_HEADER)
 install(TARGETS ${engines} EXPORT engines ARCHIVE)
 install(DIRECTORY spec model fast DESTINATION ${headers} FILES_MATCHING PATTERN "*.h" PATTERN formal EXCLUDE PATTERN trace EXCLUDE)
 install(FILES ${PROJECT_BINARY_DIR}/generated/spec/clauses/clauses.h DESTINATION ${headers}/spec/clauses)
-install(FILES ${PROJECT_BINARY_DIR}/generated/spec/parameters/keys.h DESTINATION ${headers}/spec/parameters)
+install(FILES ${PROJECT_BINARY_DIR}/generated/spec/parameters/keys.h
+  ${PROJECT_BINARY_DIR}/generated/spec/parameters/alarm_causes.h DESTINATION ${headers}/spec/parameters)
 install(EXPORT c NAMESPACE toolcomp:: FILE toolcompC.cmake DESTINATION ${config})
 install(EXPORT engines NAMESPACE toolcomp:: FILE toolcompEngines.cmake DESTINATION ${config})
 configure_package_config_file(cmake/toolcompConfig.cmake.in ${PROJECT_BINARY_DIR}/toolcompConfig.cmake
