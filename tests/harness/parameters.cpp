@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The registry of keys and parameters against both engines, on generated programs: its defaults are what counts where a
-// setup gives nothing, every key and parameter has an effect, and those that are accepted without effect have none.
+// The registry of keys and parameters against both engines, on examples and generated programs: its defaults are what
+// counts where a setup gives nothing, every key and parameter has an effect, and those that are accepted without effect
+// have none.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -8,9 +9,12 @@
 #include <iterator>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
+#include "corpus/examples.h"
+#include "corpus/golden.h"
 #include "fuzz/gen/generator.h"
 #include "fuzz/oracle/verdict.h"
 #include "spec/language/event_format.h"
@@ -83,6 +87,17 @@ void for_cases(std::uint64_t seed, const Visit& visit) {
   }
 }
 
+// The examples by hand, which give most keys and parameters a value that matters.
+template <class Visit>
+void for_examples(const Visit& visit) {
+  for (const corpus::ExampleFile& file : corpus::example_files())
+    for (const spec::Case& c :
+         corpus::read_cases(corpus::default_folder() / file.section / (std::string(file.name) + ".jsonl")))
+      visit(c);
+}
+
+bool differ_in_both(const Texts& a, const Texts& b) { return a.model != b.model && a.fast != b.fast; }
+
 TEST(Parameters, OfDirectedCasesAreAllowedAndOfAllOthersKnown) {
   for (const std::string_view section : sections())
     for (std::uint64_t seed = 1; seed <= 10 * kSeeds; ++seed) {
@@ -122,8 +137,30 @@ TEST(Parameters, AllOthersHaveOne) {
   std::set<spec::ParameterId> left;
   for (const spec::ParameterInfo& p : spec::parameters())
     if (has_effect(p)) left.insert(p.id);
-  // Of the ranges of M codes, which one loop reads, the first stands for the others.
-  std::erase_if(left, [](const spec::ParameterId& id) { return id.number >= 3423 && id.number <= 3432; });
+  for_examples([&](const spec::Case& c) {
+    for (const auto& [id, value] : c.setup.parameters) {
+      if (!left.contains(id)) continue;
+      spec::Case other = c;
+      other.setup.parameters.erase(id);
+      if (differ_in_both(run(c), run(other))) left.erase(id);
+    }
+    // M codes that stop reading ahead: what one number of a row does another one does, and so do pairs of them.
+    for (const auto& [begin, first, last, width] :
+         {std::tuple{3411U, 3411U, 3420U, 1U}, std::tuple{3421U, 3431U, 3432U, 2U}}) {
+      if (!c.setup.parameters.contains({first, -1})) continue;
+      const Texts texts = run(c);
+      spec::Case without = c;
+      for (std::uint32_t k = 0; k < width; ++k) without.setup.parameters.erase({first + k, -1});
+      if (!differ_in_both(texts, run(without))) continue;
+      for (std::uint32_t number = begin; number <= last; number += width) {
+        spec::Case other = without;
+        for (std::uint32_t k = 0; k < width; ++k)
+          other.setup.parameters[{number + k, -1}] = c.setup.parameters.at({first + k, -1});
+        if (!(run(other) == texts)) continue;
+        for (std::uint32_t k = 0; k < width; ++k) left.erase({number + k, -1});
+      }
+    }
+  });
   for (std::uint64_t seed = 1; seed <= most && !left.empty(); ++seed) {
     for_cases(seed, [&](const spec::Case& c) {
       const Texts texts = run(c);
@@ -135,8 +172,7 @@ TEST(Parameters, AllOthersHaveOne) {
             c.setup.bit(id.number, id.bit, !spec::default_value(id, c.setup.units).value_or(spec::Decimal()).is_zero());
         other.setup.parameters[id] = id.bit < 0 ? value : spec::decimal(set ? 0 : 1);
         if (!spec::has_allowed_parameters(other.setup)) return false;
-        const Texts changed = run(other);
-        return changed.model != texts.model && changed.fast != texts.fast;
+        return differ_in_both(run(other), texts);
       });
     });
   }
@@ -149,6 +185,19 @@ TEST(Keys, AllHaveAnEffect) {
   std::set<std::pair<std::string, std::size_t>> left;
   for (const spec::KeyInfo& key : spec::keys())
     for (std::size_t value = 0; value < key.values.size(); ++value) left.insert({std::string(key.id), value});
+  // A value that is exchanged for the default shows what both do.
+  for_examples([&](const spec::Case& c) {
+    for (const spec::KeyInfo& key : spec::keys()) {
+      const std::size_t value = key.get(c.setup);
+      const std::size_t usual = key.get(spec::Setup{});
+      if (!key.is_of(c.setup.control) || value == usual || !left.contains({std::string(key.id), value})) continue;
+      spec::Case other = c;
+      key.set(other.setup, usual);
+      if (!differ_in_both(run(c), run(other))) continue;
+      left.erase({std::string(key.id), value});
+      left.erase({std::string(key.id), usual});
+    }
+  });
   for (std::uint64_t seed = 1; seed <= most && !left.empty(); ++seed)
     for (const std::string_view section : sections()) {
       SeededSource source(seed);
@@ -159,8 +208,7 @@ TEST(Keys, AllHaveAnEffect) {
           if (open.first != key.id || !key.is_of(c.setup.control) || key.get(c.setup) == open.second) return false;
           spec::Case other = c;
           key.set(other.setup, open.second);
-          const Texts changed = run(other);
-          return changed.model != texts.model && changed.fast != texts.fast;
+          return differ_in_both(run(other), texts);
         });
     }
   for (const auto& [id, value] : left) ADD_FAILURE() << id << ", value " << value;
