@@ -92,8 +92,10 @@ TEST(SeededFaults, EachIsFoundWithinItsBudgetUnderItsClause) {
   const char* const only = std::getenv("TOOLCOMP_FAULT");
   bool asked = false;
   fmt::print("{:34}{:28}{:>8}{:>8}  {}\n", "fault", "section", "found", "budget", "first divergence");
+  std::size_t place = 0;
   for (const SeededFault& fault : seeded_faults()) {
-    if (only != nullptr && fault.name != only) continue;
+    const bool wanted = test::whole() || place++ % 3 == 0;
+    if (only != nullptr ? fault.name != only : !wanted) continue;
     asked = true;
     std::uint64_t found = 0;
     std::string what;

@@ -593,7 +593,7 @@ TEST(ShortCuts, AMistakeInOneBreaksTheLaw) {
   int faults = 0;
   for (const SeededFault& fault : seeded_faults()) {
     if (!fault.name.starts_with("usual_")) continue;
-    ++faults;
+    if (++faults % 2 == 0 && !test::whole()) continue;
     const auto* found =
         std::find_if(std::begin(kFaults), std::end(kFaults), [&](const auto& f) { return f.first == fault.name; });
     std::uint64_t seed = 1;
