@@ -2,6 +2,7 @@
 // The words of one block by what they command: one G code per modal group, one value per letter.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -50,9 +51,8 @@ bool repeats(const spec::Block& block);
 struct StopCodes {
   explicit StopCodes(const spec::Setup& setup);
   [[nodiscard]] bool has(std::uint32_t code) const {
-    for (const auto& [first, last] : ranges)
-      if (first <= code && code <= last) return true;
-    return false;
+    return std::ranges::any_of(ranges,
+                               [code](const auto& range) { return range.first <= code && code <= range.second; });
   }
 
   std::vector<std::pair<std::uint32_t, std::uint32_t>> ranges;
