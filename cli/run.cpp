@@ -18,6 +18,7 @@
 #include "fast/basis/print.h"
 #include "formal/engine.h"
 #include "fuzz/oracle/control.h"
+#include "fuzz/oracle/number.h"
 #include "model/basis/event.h"
 #include "model/basis/number.h"
 #include "model/basis/print.h"
@@ -50,10 +51,7 @@ struct ModelNumber {
 };
 
 double nearest(double value) { return value; }
-double nearest(const exact::Real& value) {
-  const exact::DoubleEnclosure enclosure = value.double_enclosure();
-  return enclosure.lower / 2 + enclosure.upper / 2;
-}
+double nearest(const exact::Real& value) { return fuzz::approximate(value); }
 
 template <class Number>
 void report(const Program& program, const RecentBlocks& recent, const spec::Event<Number>& alarm) {
