@@ -28,7 +28,10 @@ inline std::vector<fs::path> entries(const fs::path& folder) {
 // The folders of what a campaign found.
 inline std::vector<fs::path> dossiers(const std::string& campaign) {
   std::vector<fs::path> list = entries(fs::path(campaign) / "findings");
-  std::erase_if(list, [](const fs::path& path) { return !fs::exists(path / "finding.txt"); });
+  // One that is being written has a name with a dot in front.
+  std::erase_if(list, [](const fs::path& path) {
+    return path.filename().string().starts_with('.') || !fs::exists(path / "finding.txt");
+  });
   return list;
 }
 
