@@ -21,6 +21,7 @@ Theirs same(Ours ours) {
   return static_cast<Theirs>(static_cast<std::underlying_type_t<Ours>>(ours));
 }
 static_assert(static_cast<int>(spec::EventKind::undecided) == TOOLCOMP_UNDECIDED);
+static_assert(static_cast<int>(spec::EventKind::not_judged) == TOOLCOMP_NOT_JUDGED);
 static_assert(static_cast<int>(spec::EventKind::sample) == TOOLCOMP_SAMPLE);
 static_assert(static_cast<int>(spec::MoveType::arc) == TOOLCOMP_ARC);
 static_assert(static_cast<int>(spec::Cause::measure) == TOOLCOMP_MEASURE);

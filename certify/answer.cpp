@@ -35,6 +35,9 @@ std::span<const Field> fields_of(spec::EventKind kind) {
       return setting;
     case spec::EventKind::undecided:
       return undecided;
+    case spec::EventKind::not_supported:
+    case spec::EventKind::not_judged:
+      break;
   }
   return {};
 }

@@ -255,7 +255,7 @@ fuzz::JudgeOptions judge_options(const Capabilities& capabilities) {
 
 std::vector<std::string> all_fields() {
   // What people read or the model alone knows is not judged.
-  constexpr std::array not_judged{spec::Field::message, spec::Field::clause, spec::Field::clauses};
+  constexpr std::array not_judged{spec::Field::message, spec::Field::code, spec::Field::clause, spec::Field::clauses};
   std::vector<std::string> fields;
   for (const std::string_view field : spec::kFieldNames)
     if (std::ranges::find(not_judged, spec::find_field(field)) == not_judged.end()) fields.emplace_back(field);

@@ -50,7 +50,12 @@ Judgement compare_specification(const input::Program& program) {
   const fuzz::ModelRun run = fuzz::run_model(c);
   const auto specification = formal_specification();
   const auto able = std::get<Capabilities>(specification->capabilities());
-  return judge_case(*specification, able, c, run);
+  Judgement judgement = judge_case(*specification, able, c, run);
+  judgement.verdict.beyond = run.beyond;
+  for (const model::Event& event : run.events)
+    if (event.kind == spec::EventKind::undecided && judgement.verdict.open.count++ == 0)
+      judgement.verdict.open = {1, event.line, event.out_of_scope};
+  return judgement;
 }
 
 }  // namespace toolcomp::certify

@@ -49,6 +49,10 @@ FieldSet fields_of(const model::Event& event) {
       fields.add({Field::number, Field::message});
       add_if(fields, event.alarm != spec::AlarmCause::none, Field::cause);
       return fields;
+    case EventKind::not_supported:
+    case EventKind::not_judged:
+      fields.add({Field::code, Field::message});
+      return fields;
     case EventKind::setting:
       fields.add({Field::name, Field::value});
       return fields;

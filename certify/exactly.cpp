@@ -107,7 +107,7 @@ class Held {
     if (a.form != b.form) return false;
     for (std::size_t k = 0; k < a.numbers.size(); ++k)
       if (!equal(*a.numbers[k], *b.numbers[k])) return false;
-    result_.values += a.numbers.size() + (expected.kind == spec::EventKind::alarm ? 1 : 0);
+    result_.values += a.numbers.size() + (spec::ends_run(expected.kind) ? 1 : 0);
     return true;
   }
 

@@ -52,7 +52,7 @@ std::optional<Beginning> beginning_of(const spec::Case& c) {
   }
   // It may call or go to what stands behind it.
   const auto& events = beginning.run.events;
-  if (!events.empty() && events.back().kind == spec::EventKind::alarm) return std::nullopt;
+  if (!events.empty() && spec::ends_run(events.back().kind)) return std::nullopt;
   return beginning;
 }
 

@@ -218,7 +218,7 @@ class Panel {
                                    LabelPlaces& places) const {
     std::string out;
     for (std::size_t i = 0; i < events.size(); ++i) {
-      if (events[i].kind != spec::EventKind::alarm) continue;
+      if (!spec::ends_run(events[i].kind)) continue;
       const auto next = std::ranges::lower_bound(layer.path.moves, i, {}, &PathMove::event);
       const Point2 p = place(next == layer.path.moves.begin() ? layer.path.start : std::prev(next)->points.back());
       places.keep_free(p, 5);

@@ -11,6 +11,7 @@
 #include "cli/manners.h"
 #include "cli/program.h"
 #include "cli/progress.h"
+#include "cli/unjudged.h"
 #include "cli/verbs.h"
 #include "fuzz/oracle/verdict.h"
 #include "spec/language/known.h"
@@ -33,6 +34,15 @@ void print_difference(const fuzz::Difference& difference, const Place& place) {
 
 namespace {
 
+// What the verdict does not reach is said; the exit status where the rest agrees.
+int say_unjudged(const Program& program, const fuzz::Verdict& verdict) {
+  Unjudged unjudged(program);
+  unjudged.open(verdict.open.line, 1, verdict.open.out_of_scope, verdict.open.count);
+  if (verdict.beyond) unjudged.ends(verdict.beyond->line, verdict.beyond->column, verdict.beyond->what);
+  unjudged.end();
+  return unjudged.status();
+}
+
 // The formal specification against the model.
 int diff_specification(const Program& program) {
   const certify::Judgement judgement = certify::compare_specification(program);
@@ -43,7 +53,7 @@ int diff_specification(const Program& program) {
   switch (judgement.result) {
     case certify::Result::agrees:
       note(result);
-      return kAgrees;
+      return say_unjudged(program, judgement.verdict);
     case certify::Result::differs:
       note(result);
       return kDiffers;
@@ -67,9 +77,10 @@ int diff(const DiffOptions& options) {
       "{} values judged, {} questions of laws, {} decisions, {} near ties, {} ties; worst {:.3g} ulp, {:.3g} µm",
       verdict.values, questions, verdict.decisions, verdict.near_ties, verdict.ties, verdict.worst_ulp,
       verdict.worst_um));
+  const int unjudged = say_unjudged(program, verdict);
   switch (verdict.outcome) {
     case fuzz::Outcome::agrees:
-      return kAgrees;
+      return unjudged;
     case fuzz::Outcome::differs:
       return kDiffers;
     case fuzz::Outcome::undecided:

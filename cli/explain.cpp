@@ -9,6 +9,7 @@
 #include "certify/certificate.h"
 #include "certify/explained.h"
 #include "cli/program.h"
+#include "cli/unjudged.h"
 #include "cli/verbs.h"
 #include "fast/basis/print.h"
 #include "model/basis/print.h"
@@ -84,7 +85,7 @@ void print(const certify::ExplainedBlock& block, const spec::Axes& axes, int dig
       model::append_number(out, value, digits);
     });
     fmt::print("  exact   {}\n", text);
-    if (event.kind == spec::EventKind::alarm || event.kind == spec::EventKind::warning)
+    if (spec::ends_run(event.kind) || event.kind == spec::EventKind::warning)
       fmt::print("          {}\n", event.message);
     for (const spec::Clause clause : block.other_clauses(explained)) print_clause(spec::info(clause));
     if (!explained.measured.empty()) fmt::print("  measured {}\n", explained.measured);
@@ -103,9 +104,13 @@ void print(const certify::ExplainedBlock& block, const spec::Axes& axes, int dig
 int explain(const ExplainOptions& options) {
   say_what_is_read(options.program, options.setup);
   const Program program(options.program, options.setup, options.samples);
-  for (const certify::ExplainedBlock& block : certify::explain_blocks(program, options.block, options.digits))
+  Unjudged unjudged(program);
+  for (const certify::ExplainedBlock& block : certify::explain_blocks(program, options.block, options.digits)) {
     print(block, program.setup().axes, options.digits);
-  return kAgrees;
+    for (const certify::ExplainedEvent& explained : block.exact) unjudged.on(explained.event, explained.event.line, 1);
+  }
+  unjudged.end();
+  return unjudged.status();
 }
 
 }  // namespace toolcomp::cli

@@ -20,6 +20,7 @@ const std::map<std::string, Format> kFormats{{"jsonl", Format::jsonl},
                                              {"gcode", Format::gcode},
                                              {"svg", Format::svg},
                                              {"html", Format::html}};
+const std::map<std::string, bool> kOnOff{{"on", true}, {"off", false}};
 constexpr int kMostDigits = 1000;
 
 void define_run(CommandLine& line) {
@@ -30,7 +31,9 @@ void define_run(CommandLine& line) {
       "Runs the program under the rules of its control and prints each event: moves, samples, alarms, settings. The "
       "model computes exactly and prints correctly rounded decimals; the fast engine computes in double.\n"
       "An alarm of the control is a result, not a failure: it is the last event, with one line on standard error that "
-      "names its place, and the exit status is 0.",
+      "names its place, and the exit status is 0. Where a word is not supported, or positions are not known after it, "
+      "the "
+      "run ends with exit status 3, and says where and how many blocks it did not look at.",
       [options] { return run(*options); });
   sub->footer(R"(Examples:
   Events as JSON, one a line:
@@ -46,6 +49,9 @@ void define_run(CommandLine& line) {
   choose(sub, "--format", options->format, kFormats,
          "jsonl, csv, gcode (ends of blocks; with --samples, also inside), svg or html (a page to step through)");
   take(sub, "--digits", options->digits, "N", "Decimals the model prints", 0, kMostDigits);
+  choose(sub, "--notes", options->notes, kOnOff,
+         "on (default) or off: what a reader of the program should know, as events of the kind note and on standard "
+         "error; no verdict depends on it");
   take_samples(sub, options->samples);
 }
 

@@ -10,7 +10,6 @@
 #include "cli/manners.h"
 #include "cli/shown_place.h"
 #include "spec/language/byte_source.h"
-#include "spec/language/fanuc/not_supported.h"
 #include "spec/language/input_error.h"
 #include "spec/language/printable.h"
 
@@ -33,7 +32,7 @@ void report_alarm(const std::string& file, std::uint64_t line, std::uint64_t col
   const std::uint64_t shown = file.ends_with(".json") ? column : character_column(file, line, column);
   std::cerr << painted(Paint::place, fmt::format("{}:{}:{}:", spec::printable(spec::display_name(file)), line, shown),
                        Stream::err)
-            << ' ' << painted(Paint::bad, number, Stream::err);
+            << (number.empty() ? "" : " ") << painted(Paint::bad, number, Stream::err);
   if (!message.empty()) std::cerr << ' ' << spec::printable(message);
   std::cerr << '\n';
 }
@@ -46,7 +45,6 @@ void say_what_is_read(const std::string& program, const std::string& setup) {
 }
 
 void RecentBlocks::add(const spec::Block& block) {
-  latest_ = &block;
   add(block.line, {block.line, block.alarm ? block.alarm->column : block.size > 0 ? block.word[0].column : 1});
 }
 
@@ -56,10 +54,7 @@ void RecentBlocks::add(const spec::klartext::Block& block) {
 }
 
 RecentBlocks::LineColumn RecentBlocks::place(std::uint64_t line) const {
-  // Looked for here, not in every block that is read.
-  if (latest_ != nullptr && latest_->line == line && !latest_->alarm)
-    if (const spec::Word* const beyond = spec::word_not_supported(*latest_)) return {line, beyond->column};
-  // The latest block of the line: an alarm ends the run, so no block behind the one at fault was read for it, except
+  // The latest block of the line: an alarm ends the run, so no block after the one at fault was read for it, except
   // within the look-ahead.
   for (std::size_t i = next_; i > 0 && next_ - i < places_.size(); --i)
     if (const Known& known = places_[(i - 1) % places_.size()]; known.line == line) return known.place;

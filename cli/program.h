@@ -23,7 +23,8 @@ using certify::input::read_setup;
 // Throws spec::InputError that names the option if no folder can stand at `path`, before hours of work end there.
 void expect_folder(const std::string& path, const std::string& option);
 
-// Reports an alarm of reading or of the run on standard error: FILE:LINE:COLUMN: NUMBER message.
+// Reports an alarm of reading or of the run on standard error: FILE:LINE:COLUMN: NUMBER message. What is no alarm has
+// no number.
 void report_alarm(const std::string& file, std::uint64_t line, std::uint64_t column, std::string_view number,
                   std::string_view message);
 
@@ -39,7 +40,6 @@ class RecentBlocks {
     std::uint64_t column = 1;
   };
 
-  // The block has to be there, and the one read last, where place() is asked.
   void add(const spec::Block& block);
   void add(const spec::klartext::Block& block);
   // Of the block that begins in this line; column 1 of it where the block is no longer known.
@@ -52,7 +52,6 @@ class RecentBlocks {
     std::uint64_t line = 0;
     LineColumn place;
   };
-  const spec::Block* latest_ = nullptr;
   std::array<Known, 16> places_{};
   std::size_t next_ = 0;
 };

@@ -35,11 +35,12 @@ std::vector<ProgramAlarm> alarms_of(const Program& program, const certify::Progr
   std::vector<ProgramAlarm> alarms;
   for (std::size_t i = 0; i < run.events.size(); ++i) {
     const model::Event& event = run.events[i];
-    if (event.kind != spec::EventKind::alarm || run.blocks.empty()) continue;
+    if (!spec::ends_run(event.kind) || run.blocks.empty()) continue;
     const certify::ProgramRun::Block& block = run.blocks[run.block_of[i]];
     const bool known = block.line == event.line;
     alarms.push_back({known ? program.place(block.fault_line, block.fault_column) : program.place(event.line),
-                      std::string(event.number.view()), event.message});
+                      event.kind == spec::EventKind::alarm ? std::string(event.number.view()) : std::string(),
+                      event.message});
   }
   return alarms;
 }

@@ -9,11 +9,13 @@
 
 #include "certify/path_svg.h"
 #include "cli/manners.h"
+#include "cli/notes.h"
 #include "cli/output.h"
 #include "cli/program.h"
 #include "cli/program_page.h"
-#include "cli/radii_note.h"
+#include "cli/unjudged.h"
 #include "cli/verbs.h"
+#include "cli/word_at_fault.h"
 #include "fast/basis/event.h"
 #include "fast/basis/print.h"
 #include "formal/engine.h"
@@ -25,6 +27,7 @@
 #include "spec/language/event_format.h"
 #include "spec/language/event_map.h"
 #include "spec/language/input_error.h"
+#include "spec/language/json_text.h"
 #include "spec/language/printable.h"
 #include "spec/language/text_buffer.h"
 
@@ -53,11 +56,41 @@ struct ModelNumber {
 double nearest(double value) { return value; }
 double nearest(const exact::Real& value) { return fuzz::approximate(value); }
 
+// An alarm of a word that cannot be read, as it stands.
+bool is_of_reading(spec::AlarmCause cause) {
+  switch (cause) {
+    case spec::AlarmCause::number_too_long:
+    case spec::AlarmCause::address_missing:
+    case spec::AlarmCause::digit_missing:
+    case spec::AlarmCause::sign:
+    case spec::AlarmCause::decimal_point:
+    case spec::AlarmCause::unknown_address:
+    case spec::AlarmCause::syntax:
+      return true;
+    default:
+      return false;
+  }
+}
+
+// Says on standard error what ends the run, and what is not judged, with its place.
 template <class Number>
-void report(const Program& program, const RecentBlocks& recent, const spec::Event<Number>& alarm) {
-  const RecentBlocks::LineColumn at = recent.place(alarm.line);
-  const Place place = program.place(at.line, at.column);
-  report_alarm(place.file, place.line, place.column, alarm.number.view(), alarm.message);
+void tell(const Program& program, const RecentBlocks& recent, const spec::Event<Number>& event, Unjudged& unjudged) {
+  const RecentBlocks::LineColumn at = recent.place(event.line);
+  unjudged.on(event, at.line, at.column);
+  if (event.kind != spec::EventKind::alarm) return;
+  std::string text = event.message;
+  std::uint64_t column = at.column;
+  if (is_of_reading(event.alarm)) {
+    const std::string word = word_at_fault(text_of_line(program, at.line), at.column, program.setup().control);
+    if (!word.empty()) text += ", " + word;
+  } else if (event.alarm == spec::AlarmCause::forbidden_under_tool_direction) {
+    if (const auto found = code_not_allowed(text_of_line(program, at.line))) {
+      text += ": " + found->code;
+      column = found->column;
+    }
+  }
+  const Place place = program.place(at.line, column);
+  report_alarm(place.file, place.line, place.column, event.number.view(), text);
 }
 
 // Prints each event as it comes; an alarm also on standard error, with its place in the file.
@@ -65,13 +98,15 @@ template <class Number, class AppendNumber>
 class Printer final : public spec::EventSink<Number> {
  public:
   // `start`: where the program starts, linear axes.
-  Printer(const Program& program, Format format, AppendNumber append, const spec::AxisValues<Number>& start)
+  Printer(const Program& program, const RunOptions& options, AppendNumber append, const spec::AxisValues<Number>& start)
       : program_(program),
-        format_(format),
+        with_notes_(options.notes),
+        format_(options.format),
         append_(std::move(append)),
         gcode_{start},
         units_(program.setup().units),
-        radii_(program.setup()) {
+        notes_(program.setup()),
+        unjudged_(program) {
     std::string head;
     if (format_ == Format::csv) spec::append_csv_header(head, program_.setup().axes, program_.setup().control);
     spec::TextCursor(buffer_).append(head);
@@ -82,20 +117,27 @@ class Printer final : public spec::EventSink<Number> {
 
   void on(const spec::Event<Number>& event) override {
     begin();
-    radii_.on(event, [](const Number& value) { return nearest(value); });
+    if (with_notes_) {
+      notes_.on(event, [](const Number& value) { return nearest(value); });
+      say(notes_.take());
+    }
     if (format_ == Format::gcode && program_.samples() > 1)
       print_inside(event);
     else
       print(event);
     if (buffer_.view().size() > kFlushAt) flush();
-    if (event.kind == spec::EventKind::undecided) undecided_ = true;
-    if (event.kind != spec::EventKind::alarm) return;
+    if (event.kind != spec::EventKind::undecided && !spec::ends_run(event.kind)) return;
     flush();
     std::cout.flush();
-    report(program_, recent_, event);
+    tell(program_, recent_, event, unjudged_);
   }
 
-  void reading(const spec::Block& block) { recent_.add(block); }
+  void reading(const spec::Block& block) {
+    recent_.add(block);
+    if (!with_notes_) return;
+    notes_.read(block);
+    say(notes_.take());
+  }
   void reading(const spec::klartext::Block& block) {
     recent_.add(block);
     // The units of the events, too.
@@ -107,9 +149,11 @@ class Printer final : public spec::EventSink<Number> {
     if (format_ == Format::gcode) spec::append_gcode_end(tail);
     spec::TextCursor(buffer_).append(tail);
     flush();
-    if (radii_.first_line() == 0) return;
-    const Place place = program_.place(radii_.first_line(), 1);
-    note(fmt::format("{}:{}: {}", spec::printable(spec::display_name(place.file)), place.line, radii_.text()));
+    std::cout.flush();
+    unjudged_.end();
+    if (!with_notes_) return;
+    say(notes_.summary(), false);
+    flush();
   }
   void flush() {
     const std::string_view text = buffer_.view();
@@ -117,9 +161,27 @@ class Printer final : public spec::EventSink<Number> {
     if (output_lost()) check_output();
     buffer_.clear();
   }
-  [[nodiscard]] int status() const { return undecided_ ? kUndecided : kAgrees; }
+  [[nodiscard]] int status() const { return unjudged_.status(); }
 
  private:
+  // On standard error, and those of a block as events where these have a form for it.
+  void say(const std::vector<Note>& notes, bool of_block = true) {
+    for (const Note& each : notes) {
+      if (each.line == 0) {
+        note(each.text);
+        continue;
+      }
+      if (of_block && format_ == Format::jsonl) {
+        std::string quoted;
+        spec::append_json_string(quoted, each.text);
+        spec::TextCursor(buffer_).append(
+            fmt::format("{{\"kind\":\"note\",\"line\":{},\"text\":{}}}\n", each.line, quoted));
+      }
+      const Place place = program_.place(each.line, 1);
+      note(fmt::format("{}:{}: note: {}", spec::printable(spec::display_name(place.file)), place.line, each.text));
+    }
+  }
+
   // A plain program says its units first; a Klartext program has said them before its first event.
   void begin() {
     if (format_ != Format::gcode || begun_) return;
@@ -166,6 +228,7 @@ class Printer final : public spec::EventSink<Number> {
 
   static constexpr std::size_t kFlushAt = std::size_t{1} << 16U;
   const Program& program_;
+  bool with_notes_;
   Format format_;
   AppendNumber append_;
   spec::TextBuffer buffer_;
@@ -173,9 +236,9 @@ class Printer final : public spec::EventSink<Number> {
   std::vector<spec::AxisValues<Number>> inside_;  // axes at the samples of the block whose move comes next
   RecentBlocks recent_;
   spec::Units units_;
-  RadiiNote radii_;
+  Notes notes_;
+  Unjudged unjudged_;
   bool begun_ = false;
-  bool undecided_ = false;
 };
 
 template <class Control, class Engine, class Sink>
@@ -244,16 +307,15 @@ void feed_specification(const Program& program, Sink& sink) {
 // Keeps the events for a picture, in double; alarms also on standard error, as above.
 template <class Number>
 struct Collector final : spec::EventSink<Number> {
-  explicit Collector(const Program& drawn) : program(drawn) {}
+  explicit Collector(const Program& drawn) : program(drawn), unjudged(drawn) {}
   const Program& program;
   RecentBlocks recent;
   std::vector<spec::Event<double>> events;
   void on(const spec::Event<Number>& event) override {
     events.push_back(spec::map_numbers<double>(event, [](const Number& value) { return nearest(value); }));
-    if (event.kind == spec::EventKind::undecided) undecided = true;
-    if (event.kind == spec::EventKind::alarm) report(program, recent, event);
+    tell(program, recent, event, unjudged);
   }
-  bool undecided = false;
+  Unjudged unjudged;
   std::string unit;  // of a Klartext program
   void reading(const spec::Block& block) { recent.add(block); }
   void reading(const spec::klartext::Block& block) {
@@ -262,7 +324,7 @@ struct Collector final : spec::EventSink<Number> {
       unit = block.unit == spec::Units::mm ? "mm" : "inch";
   }
   void flush() {}
-  void end() {}
+  void end() { unjudged.end(); }
 };
 
 // The path as a picture.
@@ -271,7 +333,7 @@ int draw(const Program& program, const Collector<Number>& run) {
   certify::PathOptions options = certify::path_options(program.setup());
   if (!run.unit.empty()) options.unit = run.unit;
   std::cout << certify::path_svg(run.events, program.setup().axes, options) << '\n';
-  return run.undecided ? kUndecided : kAgrees;
+  return run.unjudged.status();
 }
 
 // The page of `view`; with the fast engine, its path beside the exact one.
@@ -319,7 +381,7 @@ int run(const RunOptions& options) {
     }
     const auto start =
         start_of<double>(program.setup(), [](const spec::Decimal& d) { return std::stod(spec::to_string(d)); });
-    Printer<double, FastNumber> sink(program, options.format, append, start);
+    Printer<double, FastNumber> sink(program, options, append, start);
     feed_fast(program, sink);
     return sink.status();
   }
@@ -335,7 +397,7 @@ int run(const RunOptions& options) {
   ModelNumber append{options.digits};
   const auto start =
       start_of<exact::Real>(program.setup(), [](const spec::Decimal& d) { return exact::Real(model::plain(d)); });
-  Printer<exact::Real, ModelNumber> sink(program, options.format, append, start);
+  Printer<exact::Real, ModelNumber> sink(program, options, append, start);
   feed_exactly(sink);
   return sink.status();
 }

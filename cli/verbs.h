@@ -31,6 +31,7 @@ struct RunOptions {
   Format format = Format::jsonl;
   int digits = 15;
   std::optional<std::uint32_t> samples;  // instead of those of a case
+  bool notes = true;
 };
 int run(const RunOptions& options);
 

@@ -20,6 +20,7 @@ struct Place {
 struct CaseData {
   Data data = List{};            // dialect, setup, blocks: what run_case takes (spec/formal/program/Case.v)
   std::vector<Place> places;     // of the blocks
+  const char* beyond = nullptr;  // what of the last block is not followed here, a static text (spec/language/alarm.h)
   std::exception_ptr bad_input;  // in the text behind the last block; it counts where the run reaches kBadInput
 };
 

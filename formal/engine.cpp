@@ -12,6 +12,7 @@
 #include "formal/data.h"
 #include "formal/events.h"
 #include "spec/language/alarm.h"
+#include "spec/language/run_end.h"
 
 namespace toolcomp::formal {
 
@@ -34,13 +35,12 @@ std::vector<std::string> sections() {
 
 namespace {
 
-// The specification names causes. Throws where it names one that the table of alarms does not have.
-void name_alarm(spec::Event<exact::Real>& event, const spec::AlarmNumbers& numbers) {
+// The specification names causes. `beyond`: what is not followed of the last block read. Throws where it names one that
+// the table of alarms does not have.
+void name_end(spec::Event<exact::Real>& event, const spec::AlarmNumbers& numbers, const char* beyond) {
   const std::optional<spec::AlarmCause> cause = spec::find_alarm(event.number.view());
   if (!cause) throw std::logic_error("no alarm of spec/alarms.toml: " + std::string(event.number.view()));
-  event.alarm = *cause;
-  event.number = numbers(*cause);
-  event.message = spec::info(*cause).text;
+  spec::end_run(event, *cause, spec::is_beyond(*cause) ? beyond : spec::info(*cause).text, numbers);
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ Run run(const spec::Case& c) {
     event.line = place.line;
     event.n = place.n;
     if (event.number == spec::Name(kBadInput)) std::rethrow_exception(made.bad_input);
-    if (event.kind == spec::EventKind::alarm) name_alarm(event, numbers);
+    if (event.kind == spec::EventKind::alarm) name_end(event, numbers, made.beyond);
     result.events.push_back(std::move(event));
   }
   return result;

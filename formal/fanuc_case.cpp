@@ -109,7 +109,10 @@ CaseData fanuc_case(const spec::Case& c) {
   for (spec::Block block; reader.next(block);) {
     result.places.push_back({block.line, block.n});
     blocks.push_back(block_data(block));
-    if (block.alarm) break;
+    if (block.alarm) {
+      result.beyond = spec::beyond(block);
+      break;
+    }
   }
   result.data = List{std::int64_t{0}, setup_data(c), std::move(blocks)};
   return result;

@@ -193,7 +193,10 @@ CaseData klartext_case(const spec::Case& c) {
     for (Block block; reader.next(block);) {
       result.places.push_back({block.line, block.n});
       blocks.push_back(block_data(block));
-      if (block.alarm) break;
+      if (block.alarm) {
+        result.beyond = spec::beyond(block);
+        break;
+      }
     }
   } catch (const spec::InputError&) {
     result.bad_input = std::current_exception();

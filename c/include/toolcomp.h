@@ -65,7 +65,9 @@ typedef enum toolcomp_event_kind {
   TOOLCOMP_ALARM = 2,
   TOOLCOMP_WARNING = 3,
   TOOLCOMP_SETTING = 4,
-  TOOLCOMP_UNDECIDED = 5
+  TOOLCOMP_UNDECIDED = 5,
+  TOOLCOMP_NOT_SUPPORTED = 6,
+  TOOLCOMP_NOT_JUDGED = 7
 } toolcomp_event_kind;
 typedef enum toolcomp_move_type { TOOLCOMP_RAPID = 0, TOOLCOMP_LINEAR = 1, TOOLCOMP_ARC = 2 } toolcomp_move_type;
 typedef enum toolcomp_cause {
@@ -109,7 +111,8 @@ typedef struct toolcomp_event {
   double sweep;     /* degrees of the tool's own arc; NaN: an end lies in the centre */
   double radius[2]; /* at start and end, where they differ; else NaN */
 
-  /* alarms, warnings, undecided events: "PS0041", or a clause; settings: "H1" and its value. Else "". */
+  /* alarms, warnings: "PS0041"; undecided: a clause; not supported, not judged: "G81"; settings: "H1" and its value.
+   * Else "". */
   const char* number;
   const char* message;
   double value;
@@ -137,11 +140,11 @@ typedef struct toolcomp_engine toolcomp_engine;
 toolcomp_status toolcomp_engine_new(const toolcomp_setup* setup, uint32_t samples, toolcomp_on_event on_event,
                                     void* user, toolcomp_engine** engine, toolcomp_error* error);
 /* Blocks as the program has them: whole lines, as many as you like; a Klartext program with labels or called programs
- * at once. Behind an alarm, or the end of the program, what comes is ignored. */
+ * at once. After what ends the run, or the end of the program, what comes is ignored. */
 toolcomp_status toolcomp_engine_run(toolcomp_engine* engine, const char* text, size_t length, toolcomp_error* error);
 /* The end of the text: blocks that waited for the next one go out. */
 toolcomp_status toolcomp_engine_end(toolcomp_engine* engine, toolcomp_error* error);
-/* 1: an alarm or the end of the program has been reached. */
+/* 1: an alarm, what is not supported or not judged, or the end of the program has been reached. */
 int toolcomp_engine_stopped(const toolcomp_engine* engine);
 void toolcomp_engine_free(toolcomp_engine* engine);
 

@@ -118,7 +118,7 @@ Record read_record(std::uint64_t number, std::string_view line) {
     v.values = json.at("values").get<std::uint64_t>();
     v.wide = json.at("not_judged").get<std::uint64_t>();
     if (json.contains("judged_before_line"))
-      v.beyond = fuzz::Beyond{json.at("judged_before_line").get<std::uint64_t>(), "", 0};
+      v.beyond = fuzz::Beyond{json.at("judged_before_line").get<std::uint64_t>(), 1, "", 0};
     v.events = json.at("events").get<std::uint64_t>();
     v.out_of_scope = json.at("out_of_scope").get<std::uint64_t>();
     if (json.contains("left_out")) {

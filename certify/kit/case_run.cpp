@@ -90,8 +90,9 @@ std::vector<std::string> CaseRunner::events_of(const Machine& machine, const fuz
 std::string CaseRunner::end_of_case(const fuzz::ModelRun& run, const CaseLines& lines, CaseRun& result,
                                     bool& ending_fails) const {
   for (const model::Event& event : run.events) {
-    if (event.kind != spec::EventKind::undecided && event.kind != spec::EventKind::alarm) continue;
+    if (event.kind != spec::EventKind::undecided && !spec::ends_run(event.kind)) continue;
     ending_fails = event.line > lines.last;
+    if (event.kind != spec::EventKind::undecided && event.kind != spec::EventKind::alarm) return event.message;
     if (event.kind == spec::EventKind::undecided) return "the specification leaves open what happens";
     if (ending_fails || event.line < lines.first) return "it cannot be ended by a common safe block";
     result.stop = Stop{event.alarm, std::string(event.number.view()), event.line - lines.first};
@@ -152,8 +153,7 @@ OutcomeSet CaseRunner::told_apart(const CaseText& text, const Overlay& overlay, 
     try {
       const fuzz::ModelRun forced = fuzz::run_model(c, {{decision, sign}});
       const spec::EventKind last = forced.events.empty() ? spec::EventKind::alarm : forced.events.back().kind;
-      return last == spec::EventKind::alarm || last == spec::EventKind::undecided ||
-             way.differs(Trail(forced.events, tolerance));
+      return spec::ends_run(last) || last == spec::EventKind::undecided || way.differs(Trail(forced.events, tolerance));
     } catch (const model::NotFinite&) {
       return true;  // no way at all
     }

@@ -147,6 +147,11 @@ void ProgramPath::Run::on(const model::Event& event) {
     case spec::EventKind::alarm:
       alarm_ = std::string(event.number.view()) + " in line " + std::to_string(event.line);
       break;
+    case spec::EventKind::not_supported:
+    case spec::EventKind::not_judged:
+      closed_ = true;
+      undecided_ = "line " + std::to_string(event.line) + ": " + event.message;
+      break;
     case spec::EventKind::undecided:
       closed_ = true;
       undecided_ = "the model could not decide line " + std::to_string(event.line) + " (" +

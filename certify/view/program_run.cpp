@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "fuzz/oracle/control.h"
-#include "spec/language/fanuc/not_supported.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -43,13 +42,9 @@ class Placed final : public spec::EventSink<Number> {
   std::vector<std::size_t>& block_of_;
 };
 
-// Where an alarm of a block points to: a fault of reading, a word that is not supported, or the block.
+// Where an alarm of a block points to: a fault of reading, or the block.
 ProgramRun::Block read_block(const spec::Block& block) {
-  const spec::Word* const beyond = block.alarm ? nullptr : spec::word_not_supported(block);
-  const std::uint64_t column = block.alarm         ? block.alarm->column
-                               : beyond != nullptr ? beyond->column
-                               : block.size > 0    ? block.word[0].column
-                                                   : 1;
+  const std::uint64_t column = block.alarm ? block.alarm->column : block.size > 0 ? block.word[0].column : 1;
   return {block.line, block.n, block.line, column};
 }
 ProgramRun::Block read_block(const spec::klartext::Block& block) {
@@ -92,7 +87,8 @@ ProgramRun run_program(const spec::Case& c, const std::string& file, const std::
   ProgramRun result;
   fuzz::with_control(c.setup, [&]<class Control>(Control) { run<Control>(c, file, on_block, result); });
   for (const model::Event& event : result.events)
-    result.undecided = result.undecided || event.kind == spec::EventKind::undecided;
+    result.undecided = result.undecided || event.kind == spec::EventKind::undecided ||
+                       (event.kind != spec::EventKind::alarm && spec::ends_run(event.kind));
   return result;
 }
 

@@ -177,7 +177,7 @@ class ViewData {
     }
     step["what"] = words(event);
     if (event.kind == spec::EventKind::move && event.type == spec::MoveType::rapid) step["rapid"] = true;
-    if (event.kind == spec::EventKind::alarm) step["alarm"] = event.number.view();
+    if (spec::ends_run(event.kind)) step["alarm"] = event.number.view();
     if (event.kind == spec::EventKind::warning || event.kind == spec::EventKind::undecided) step["warning"] = true;
     if (event.tool_axis && std::ranges::all_of(*event.tool_axis, [](double x) { return std::isfinite(x); }))
       step["tool_axis"] = json_of(*event.tool_axis);

@@ -196,6 +196,11 @@ void write_event(Row& row, const TextEvent& event, const spec::Case& c) {
       row.whole(kAlarm);
       row.text(event.alarm == spec::AlarmCause::none ? event.number.view() : info(event.alarm).name);
       break;
+    case EventKind::not_supported:
+    case EventKind::not_judged:
+      row.whole(kAlarm);
+      row.text(event.kind == EventKind::not_judged ? "not-judged" : "not-supported");
+      break;
     default:
       if (event.out_of_scope) return row.whole(kOther);
       row.whole(kUndecided);

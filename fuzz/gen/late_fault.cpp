@@ -22,7 +22,7 @@ class Watch final : public spec::EventSink<exact::Real> {
  public:
   void on(const model::Event& event) override {
     if (progress_.line != 0) return;
-    const bool ends = event.kind == spec::EventKind::alarm || event.kind == spec::EventKind::undecided;
+    const bool ends = spec::ends_run(event.kind) || event.kind == spec::EventKind::undecided;
     if (event.kind != spec::EventKind::undecided) ++progress_.events;
     if (ends) progress_.line = event.line;
   }

@@ -6,8 +6,7 @@
 
 #include "fuzz/oracle/reading.h"
 #include "fuzz/oracle/stream_pass.h"
-#include "spec/language/fanuc/not_supported.h"
-#include "spec/language/heidenhain/unsupported.h"
+#include "spec/language/alarm.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -73,7 +72,7 @@ std::optional<Agreed> streamed_agreement(const spec::Case& c, std::span<const sp
         rules, c.setup, c.samples, no_choices,
         [&](const stream::Expected& expected, auto& actual) { return FromList(events, reading, expected, actual); },
         on_event);
-    return run<Control>(c, pass, [](const auto& block) { return not_supported(block) == nullptr; });
+    return run<Control>(c, pass, [](const auto& block) { return spec::beyond(block) == nullptr; });
   });
   // A text that is no number was read as 0.
   if (reading.bad()) return std::nullopt;

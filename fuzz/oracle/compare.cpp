@@ -21,7 +21,8 @@ using exact::Real;
 using spec::EventKind;
 
 std::string_view name(EventKind kind) {
-  constexpr std::string_view names[] = {"move", "sample", "alarm", "warning", "setting", "undecided"};
+  constexpr std::string_view names[] = {"move",    "sample",    "alarm",         "warning",
+                                        "setting", "undecided", "not supported", "not judged"};
   return names[static_cast<std::size_t>(kind)];
 }
 std::string_view name(spec::MoveType type) {
@@ -106,7 +107,7 @@ class Comparison {
     // Alarms first by what they are: "PS5408 instead of PS5407" says more than a line. The cause counts where the
     // controller names it, else the number.
     const bool by_cause = expected_.alarm != spec::AlarmCause::none && actual_.alarm != spec::AlarmCause::none;
-    const bool numbered = expected_.kind == EventKind::alarm || expected_.kind == EventKind::warning ||
+    const bool numbered = spec::ends_run(expected_.kind) || expected_.kind == EventKind::warning ||
                           expected_.kind == EventKind::undecided;
     if (numbered && rules_.judges("number")) {
       ++tally_.values;
@@ -133,6 +134,8 @@ class Comparison {
       case EventKind::alarm:
       case EventKind::warning:
       case EventKind::undecided:
+      case EventKind::not_supported:
+      case EventKind::not_judged:
         return false;
     }
     return false;
@@ -552,6 +555,8 @@ template <class Number>
 std::optional<Difference> compare(const Rules& rules, const model::Event& expected, const Scale& scale,
                                   const spec::Event<Number>& actual, Tally& tally) {
   ++tally.events;
+  if (expected.kind == EventKind::undecided && tally.open.count++ == 0)
+    tally.open = {1, expected.line, expected.out_of_scope};
   if (tally.scope_left) ++tally.out_of_scope;
   tally.scope_left = tally.scope_left || expected.out_of_scope;
   return Comparison<Number>(rules, expected, scale, actual, tally).run();
@@ -574,6 +579,7 @@ void take(Verdict& verdict, const Tally& tally) {
   verdict.wide = tally.wide;
   verdict.widths = tally.widths;
   verdict.events = tally.events;
+  verdict.open = tally.open;
   verdict.out_of_scope = tally.out_of_scope;
   verdict.left_out = tally.left_out;
   verdict.left_out_for = tally.left_out_for;
@@ -600,6 +606,8 @@ std::string describe(const spec::Event<Number>& event) {
     case EventKind::alarm:
     case EventKind::warning:
     case EventKind::undecided:
+    case EventKind::not_supported:
+    case EventKind::not_judged:
       return fmt::format("{} {} in line {}", name(event.kind), event.number.view(), event.line);
   }
   return {};

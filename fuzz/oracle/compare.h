@@ -59,6 +59,7 @@ struct Tally {
   std::uint64_t numbers = 0;
   std::uint64_t wide = 0;
   std::uint64_t events = 0;
+  OpenEvents open;
   std::uint64_t out_of_scope = 0;  // of the model's events, those behind one of reason OUT_OF_SCOPE
   bool scope_left = false;         // such an event was there
   std::uint64_t left_out = 0;      // of the model's events, by JudgeOptions::known

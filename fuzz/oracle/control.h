@@ -4,13 +4,16 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "fast/fanuc/engine.h"
 #include "fast/heidenhain/engine.h"
+#include "fuzz/oracle/verdict.h"
 #include "model/fanuc/engine.h"
 #include "model/heidenhain/engine.h"
+#include "spec/language/alarm.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/fanuc/program_reader.h"
 #include "spec/language/heidenhain/klartext_reader.h"
@@ -57,6 +60,16 @@ struct HeidenhainControl {
   }
   static Fast fast(const spec::Setup& setup, fast::EventSink& sink, std::uint32_t) { return {setup, sink}; }
 };
+
+// Where the run ends at this block without an alarm; `events`: those that were given before it.
+inline std::optional<Beyond> beyond_of(const spec::Block& block, std::size_t events) {
+  if (const char* const what = spec::beyond(block)) return Beyond{block.line, block.alarm->column, what, events};
+  return std::nullopt;
+}
+inline std::optional<Beyond> beyond_of(const spec::klartext::Block& block, std::size_t events) {
+  if (const char* const what = spec::beyond(block)) return Beyond{block.alarm->line, block.alarm->column, what, events};
+  return std::nullopt;
+}
 
 // Calls `visit` with the control of the setup.
 template <class Visit>

@@ -231,7 +231,7 @@ class Judge {
     Verdict v;
     v.decisions = run.recorder.decision_count();
     v.near_ties = near_ties(run, {}).size();
-    if constexpr (!std::is_same_v<Number, double>) v.beyond = run.beyond;
+    v.beyond = run.beyond;
     const Agreement first = compared(run);
     if (first.undecided) return undecided(v, first, why(run));
     if (!first.difference) return agrees(v, first);

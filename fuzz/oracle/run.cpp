@@ -3,8 +3,6 @@
 
 #include "fuzz/oracle/control.h"
 #include "fuzz/oracle/verdict.h"
-#include "spec/language/fanuc/not_supported.h"
-#include "spec/language/heidenhain/unsupported.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -51,8 +49,7 @@ ModelRun run_model(const spec::Case& c, const Forced& forced) {
   with_control(c.setup, [&]<class Control>(Control) {
     auto engine = Control::model(c.setup, result.recorder, sink, c.samples);
     run<Control>(c, engine, [&result](const typename Control::Block& block) {
-      if (result.beyond) return;
-      if (const char* const what = not_supported(block)) result.beyond = {block.line, what, result.events.size()};
+      result.beyond = beyond_of(block, result.events.size());
     });
   });
   return result;

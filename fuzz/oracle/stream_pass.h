@@ -112,6 +112,7 @@ class Pass {
   void block(const typename Control::Block& block) {
     if (blocks_ != 0 && blocks_ % kBlocksInEpoch == 0) next_epoch(block.line);
     facts_.read(block);
+    if (!verdict_.beyond) verdict_.beyond = beyond_of(block, compared_);
     if (facts_.units()) rules_.units(*facts_.units());
     model_.block(block);
     fast_.block(block);

@@ -42,11 +42,20 @@ struct Difference {
 // "line 5, point.X: 3.5 expected, 3.25 given, 250000 um off (fanuc.leading-edge.…)".
 std::string explain(const Difference& difference);
 
-// Where a program goes beyond what is supported: what a control does there, and from there on, is not known.
+// Where a run ends without an alarm (spec::is_beyond): what a control does there, and from there on, is not known.
 struct Beyond {
   std::uint64_t line = 0;
+  std::uint64_t column = 1;
   const char* what = "";   // static text, names it
   std::size_t events = 0;  // that were given before the block was known: nothing behind them is certain
+};
+
+// Of the model, those that say that nothing is known of what a block does: left open by the specification, or out of
+// scope.
+struct OpenEvents {
+  std::uint64_t count = 0;
+  std::uint64_t line = 0;  // of the first
+  bool out_of_scope = false;
 };
 
 struct Verdict {
@@ -59,8 +68,9 @@ struct Verdict {
   std::uint64_t events = 0;              // of the model, judged against one of the other side
   std::uint64_t left_out = 0;            // of the model: JudgeOptions::known
   std::map<spec::Clause, std::uint64_t> left_out_for;  // of them, how many rest on this clause; one may rest on several
+  OpenEvents open;
   std::uint64_t out_of_scope = 0;  // of the model, behind one of reason OUT_OF_SCOPE (a controller's: not judged)
-  std::optional<Beyond> beyond;    // a controller's program was judged up to there
+  std::optional<Beyond> beyond;    // the program was judged up to there
   std::uint64_t decisions = 0;     // of the model, by sign
   std::uint64_t near_ties = 0;     // decisions inside their band
   std::uint64_t ties = 0;          // near ties in which the engine took the other, permitted, outcome

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "spec/language/run_end.h"
+
 namespace toolcomp::model {
 namespace {
 
@@ -117,8 +119,7 @@ void Reporter::report(const Warning& warning) {
 
 void Reporter::report(const Alarm& alarm, const spec::ClauseList& clauses) {
   Event event = event_of(spec::EventKind::alarm, alarm);
-  event.alarm = alarm.cause;
-  event.number = numbers_(alarm.cause);
+  spec::end_run(event, alarm.cause, alarm.message, numbers_);
   event.clauses = clauses;
   event.unmade = alarm.unmade;
   sink_.on(event);

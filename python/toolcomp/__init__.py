@@ -15,7 +15,7 @@ from .certifying import Finding, Verdict, certify
 from .comparing import Comparison, Difference, diff
 from .controllers import ControllerLike
 from .errors import Error, InputError, NotApplicable, UndecidedError
-from .events import Alarm, Event, Move, Sample, Setting, Undecided, Warning
+from .events import Alarm, Event, Move, Note, NotJudged, NotSupported, Sample, Setting, Undecided, Warning
 from .explaining import Block, Clause, Decision, ExplainedEvent, clause, explain
 from .numbers import Exact, Number
 from .recordings import RecordingFinding, RecordingVerdict, judge
@@ -50,6 +50,9 @@ __all__ = [
     "Move",
     "Moves",
     "NotApplicable",
+    "NotJudged",
+    "NotSupported",
+    "Note",
     "Number",
     "RecordingFinding",
     "RecordingVerdict",

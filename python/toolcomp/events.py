@@ -141,7 +141,35 @@ class Undecided(_Event):
     reason: str = ""
 
 
-Event = Union[Move, Sample, Alarm, Warning, Setting, Undecided]
+@dataclass(frozen=True, kw_only=True, repr=False)
+class NotSupported(_Event):
+    """The run ends at what a control may well run and toolcomp does not: no alarm."""
+
+    kind: ClassVar[str] = "not_supported"
+    #: what stands in the program: "G81"
+    code: str = ""
+    message: str = ""
+
+
+@dataclass(frozen=True, kw_only=True, repr=False)
+class NotJudged(_Event):
+    """The run ends at what makes positions unknown: no alarm."""
+
+    kind: ClassVar[str] = "not_judged"
+    #: what stands in the program: "PLANE SPATIAL"
+    code: str = ""
+    message: str = ""
+
+
+@dataclass(frozen=True, kw_only=True, repr=False)
+class Note(_Event):
+    """What a reader of the program should know: `toolcomp run` says it, and no verdict depends on it."""
+
+    kind: ClassVar[str] = "note"
+    text: str = ""
+
+
+Event = Union[Move, Sample, Alarm, Warning, Setting, Undecided, NotSupported, NotJudged, Note]
 
 _KINDS: dict[str, type[Event]] = {
     "move": Move,
@@ -150,6 +178,9 @@ _KINDS: dict[str, type[Event]] = {
     "warning": Warning,
     "setting": Setting,
     "undecided": Undecided,
+    "not_supported": NotSupported,
+    "not_judged": NotJudged,
+    "note": Note,
 }
 _AXES = {"programmed", "point", "axes", "machine", "center", "tool_center", "contact", "shift", "tool_shift", "carrier"}
 _TUPLES = {"tool_axis", "normal", "radius"}

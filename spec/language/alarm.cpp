@@ -8,7 +8,13 @@
 
 namespace toolcomp::spec {
 
-std::span<const AlarmInfo> alarms() { return kAlarms; }
+// The table ends with what is no alarm.
+constexpr std::size_t kBeyond = 2;
+static_assert(std::ranges::count_if(kAlarms, is_beyond, &AlarmInfo::cause) == kBeyond &&
+              std::all_of(kAlarms.end() - kBeyond, kAlarms.end(),
+                          [](const AlarmInfo& alarm) { return is_beyond(alarm.cause); }));
+
+std::span<const AlarmInfo> alarms() { return std::span(kAlarms).first(kAlarms.size() - kBeyond); }
 
 const AlarmInfo& info(AlarmCause cause) { return kAlarms.at(static_cast<std::size_t>(cause) - 1); }
 
@@ -23,6 +29,11 @@ bool is_alarm_number(std::string_view text) {
   return !text.empty() && text.size() <= kLongest &&
          text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-/.") ==
              std::string_view::npos;
+}
+
+std::string_view code_of(std::string_view text) {
+  for (const std::string_view behind : {" (", " is ", " are "}) text = text.substr(0, text.find(behind));
+  return text;
 }
 
 Name AlarmNumbers::operator()(AlarmCause cause) const {

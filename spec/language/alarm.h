@@ -24,7 +24,7 @@ struct AlarmInfo {
   std::string_view source;
 };
 
-// In the order of the table, which is that of AlarmCause behind `none`.
+// In the order of the table, which is that of AlarmCause after `none`; without what is no alarm (is_beyond).
 std::span<const AlarmInfo> alarms();
 // Of a cause other than `none`.
 const AlarmInfo& info(AlarmCause cause);
@@ -40,6 +40,17 @@ class AlarmNumbers {
   Series series_;
   std::map<AlarmCause, std::string> own_;
 };
+// Where a run of ours ends and a control's does not: not_supported and not_judged, which are no alarms.
+constexpr bool is_beyond(AlarmCause cause) {
+  return cause == AlarmCause::not_supported || cause == AlarmCause::not_judged;
+}
+// What stands in the program, of the text of such an end: "G81" of "G81 (drilling, a canned cycle) is not supported".
+std::string_view code_of(std::string_view text);
+// The text of such an end, if a block has one; nullptr otherwise.
+template <class Block>
+const char* beyond(const Block& block) {
+  return block.alarm && is_beyond(block.alarm->cause) ? block.alarm->message : nullptr;
+}
 // What a setup may give as a number of its own: 1 to 32 letters, digits and _ - / .
 bool is_alarm_number(std::string_view text);
 

@@ -44,7 +44,8 @@ std::string_view event_schema() {
   "required": ["kind", "line"],
   "oneOf": [
     { "$ref": "#/$defs/move" }, { "$ref": "#/$defs/sample" }, { "$ref": "#/$defs/alarm" },
-    { "$ref": "#/$defs/setting" }, { "$ref": "#/$defs/undecided" }
+    { "$ref": "#/$defs/setting" }, { "$ref": "#/$defs/undecided" },
+    { "$ref": "#/$defs/beyond" }
   ],
   "$defs": {
     "move": {
@@ -133,6 +134,19 @@ std::string_view event_schema() {
         "clause": { "type": "string", "maxLength": 63 },
         "permitted": { "type": "array", "items": { "enum": ["positive", "negative", "tie"] } },
         "reason": { "description": "The program asks for what is not modelled; the run goes on.", "const": "OUT_OF_SCOPE" },
+        "clauses": { "$ref": "#/$defs/clauses" }
+      }
+    },
+    "beyond": {
+      "description": "The run ends here without an alarm of the control: not_supported, what stands in the program may be run by a control and is not by us; not_judged, positions from here on are not known.",
+      "type": "object", "additionalProperties": false,
+      "required": ["kind", "line", "code"],
+      "properties": {
+        "kind": { "enum": ["not_supported", "not_judged"] },
+        "line": { "$ref": "#/$defs/count" },
+        "n": { "$ref": "#/$defs/count" },
+        "code": { "description": "What stands in the program: G81, PLANE SPATIAL.", "type": "string", "maxLength": 63 },
+        "message": { "type": "string" },
         "clauses": { "$ref": "#/$defs/clauses" }
       }
     },

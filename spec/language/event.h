@@ -19,7 +19,13 @@
 
 namespace toolcomp::spec {
 
-enum class EventKind : std::uint8_t { move, sample, alarm, warning, setting, undecided };
+enum class EventKind : std::uint8_t { move, sample, alarm, warning, setting, undecided, not_supported, not_judged };
+
+// The run ends here: with an alarm of the control, or because what a control does from here on is not known.
+constexpr bool ends_run(EventKind kind) {
+  return kind == EventKind::alarm || kind == EventKind::not_supported || kind == EventKind::not_judged;
+}
+
 enum class MoveType : std::uint8_t { rapid, linear, arc };
 enum class Cause : std::uint8_t { programmed, start_up, corner, cancel, pre_turn, post_turn, reference, measure };
 enum class Plane : std::uint8_t { xy, zx, yz };
@@ -114,9 +120,11 @@ struct Event {
   std::optional<Number> feed;                      // F in force, setup units; not for rapid moves
   std::optional<SpaceCompensation<Number>> space;  // Heidenhain
 
-  // alarm, warning, undecided
+  // alarm, warning, undecided, not supported, not judged
   AlarmCause alarm = AlarmCause::none;  // of an alarm; none where a controller does not name it
-  Name number;               // alarm: what the control shows (PS0041); warning: a name; undecided: the clause
+  // What the control shows (alarm: PS0041), a name (warning), the clause (undecided), what stands in the program (not
+  // supported, not judged: G81).
+  Name number;
   const char* message = "";  // static text
 
   // undecided

@@ -61,6 +61,13 @@ class EventGcode {
         }
         out_ += ")\n";
         break;
+      case EventKind::not_supported:
+      case EventKind::not_judged:
+        open_comment(event, name(event.kind));
+        out_ += ": ";
+        comment_text(event.message);
+        out_ += ")\n";
+        break;
       case EventKind::sample:
         break;
     }

@@ -41,6 +41,12 @@ class EventJson {
         place(event);
         if (*event.message != '\0') text("message", event.message);
         break;
+      case EventKind::not_supported:
+      case EventKind::not_judged:
+        place(event);
+        text("code", event.number.view());
+        if (*event.message != '\0') text("message", event.message);
+        break;
       case EventKind::setting:
         text("name", event.setting.view());
         number("value", event.value);

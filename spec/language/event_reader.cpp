@@ -67,6 +67,8 @@ class EventReader {
         {{F::kind, F::line, F::number}, {F::n, F::message, F::clauses}},
         {{F::kind, F::line, F::name, F::value}, {F::n, F::clauses}},
         {{F::kind, F::line, F::clause}, {F::n, F::permitted, F::reason, F::clauses}},
+        {{F::kind, F::line, F::code}, {F::n, F::message, F::clauses}},
+        {{F::kind, F::line, F::code}, {F::n, F::message, F::clauses}},
     }};
     return shapes[static_cast<std::size_t>(kind)];
   }
@@ -208,7 +210,7 @@ class EventReader {
 
   AlarmCause alarm_cause(const Node& node) const {
     const std::optional<AlarmCause> cause = find_alarm(read_.string(node, "cause"));
-    if (!cause)
+    if (!cause || is_beyond(*cause))
       read_.fail(node.at,
                  "cause: " + in_quotes(node.text) + " is no cause of an alarm (`toolcomp spec alarms` lists them)");
     return *cause;
@@ -341,6 +343,7 @@ class EventReader {
         break;
       case Field::number:
       case Field::clause:
+      case Field::code:
         event.number = short_text(node, field);
         break;
       case Field::message:

@@ -39,6 +39,7 @@ enum class Field : std::uint8_t {
   flat,
   feed,
   number,
+  code,
   message,
   name,
   value,
@@ -48,11 +49,11 @@ enum class Field : std::uint8_t {
   reason,
   clauses,
 };
-inline constexpr std::array<std::string_view, 33> kFieldNames{
-    "kind",      "line",       "n",       "type",      "cause",  "programmed", "point",       "axes",    "machine",
-    "tool_axis", "center",     "plane",   "direction", "sweep",  "radius",     "tool_center", "contact", "normal",
-    "shift",     "tool_shift", "carrier", "angle",     "flat",   "feed",       "number",      "message", "name",
-    "value",     "t",          "clause",  "permitted", "reason", "clauses"};
+inline constexpr std::array<std::string_view, 34> kFieldNames{
+    "kind",      "line",       "n",       "type",      "cause",     "programmed", "point",       "axes",    "machine",
+    "tool_axis", "center",     "plane",   "direction", "sweep",     "radius",     "tool_center", "contact", "normal",
+    "shift",     "tool_shift", "carrier", "angle",     "flat",      "feed",       "number",      "code",    "message",
+    "name",      "value",      "t",       "clause",    "permitted", "reason",     "clauses"};
 
 constexpr std::string_view field_name(Field field) { return kFieldNames[static_cast<std::size_t>(field)]; }
 constexpr std::optional<Field> find_field(std::string_view name) {

@@ -23,7 +23,7 @@ std::string_view hello_schema() {
       "items": { "enum": [
         "kind", "line", "n", "type", "cause", "programmed", "point", "axes", "machine", "tool_axis", "center", "plane", "direction", "sweep",
         "radius", "tool_center", "contact", "normal", "shift", "tool_shift", "carrier", "angle", "flat", "feed", "number", "message", "name",
-        "value", "t", "clause", "permitted", "reason", "clauses"
+        "value", "t", "code", "clause", "permitted", "reason", "clauses"
       ] }
     },
     "resolution": {

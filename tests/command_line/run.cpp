@@ -2,8 +2,10 @@
 // `toolcomp run`: the manual's programs through both engines, as a user runs them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/command_line/command.h"
@@ -53,10 +55,11 @@ TEST_P(Run, TellsRadiiThatDifferWhereTheSetupHasNoLimit) {
                                            "G03 X0 Y21 J-10 D2\nG01 X-10\n");
   const std::string start = "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\"]\n[offsets.D]\n1 = 1\n2 = 2\n";
   const std::string run = "run " + program + " --engine " + GetParam() + " --setup ";
-  EXPECT_EQ(toolcomp(run + folder.write("without.toml", start)).err,
-            program +
-                ":1: the radii of this arc and of 1 more differ by up to 2; the setup has no parameter 3410, with "
-                "which a control raises PS0020\n");
+  EXPECT_EQ(
+      toolcomp(run + folder.write("without.toml", start)).err,
+      program +
+          ":1: note: the radii of this arc and of 1 more differ by up to 2; the setup has no parameter 3410, with "
+          "which a control raises PS0020\n");
   const std::string with = folder.write("with.toml", start + "[parameters]\n3410 = 2\n");
   EXPECT_EQ(toolcomp(run + with).err, "");
   EXPECT_EQ(toolcomp(run + folder.write("quiet.toml", start) + " --quiet").err, "");
@@ -104,6 +107,36 @@ TEST_P(Run, LeadingEdgeFromRotaryAxes) {
   }
 }
 
+// By hand, D1 = 5: each note once, at its line, as an event and on standard error; none with --notes off.
+TEST_P(Run, NotesTellWhatAReaderShouldKnow) {
+  const Folder folder;
+  const std::string setup =
+      folder.write("setup.toml",
+                   "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\"]\n[offsets.D]\n1 = 5\n[offsets.H]\n5 = 5\n"
+                   "[parameters]\n1411 = 200\n3410 = 1\n");
+  const std::pair<const char*, const char*> cases[] = {
+      {"G90 G01 X10. F100\nG41 Y10.\n", "2: note: G41 without a D other than 0"},
+      {"G90 G01 X10. F100\nG41 D0 Y10.\n", "2: note: G41 without a D other than 0"},
+      {"G90 G01 X10. F100\nG42 H5 Y10.\n", "2: note: G42 with H: the radius is that of D"},
+      {"G90 G00 X10.\nG10 L10 P1\n", "2: note: G10 without R"},
+      {"G91 G00 X10.\nG53 X0\n", "2: note: G53 under G91"},
+      {"G90 G00 X10.\nG01 Y5.\n", "2: note: no F yet: the feed is 200 of parameter 1411"},
+      {"G90 G01 X10. F100\nG41 D1 Y2.\nY20.\nX30.\nG40 X40.\n",
+       "2: note: a start-up move of 2, shorter than the radius 5"},
+  };
+  for (const auto& [program, says] : cases) {
+    const std::string run = "run " + folder.write("p.nc", program) + " --setup " + setup + " --engine " + GetParam();
+    const Outcome outcome = toolcomp(run);
+    const auto notes =
+        std::ranges::count_if(outcome.events(), [](const json& event) { return event.at("kind") == "note"; });
+    EXPECT_EQ(notes, 1) << program << outcome.out;
+    EXPECT_NE(outcome.err.find(std::string("p.nc:") + says), std::string::npos) << program << outcome.err;
+    const Outcome silent = toolcomp(run + " --notes off");
+    EXPECT_EQ(silent.err.find("note"), std::string::npos) << silent.err;
+    EXPECT_EQ(silent.events().size() + static_cast<std::size_t>(notes), outcome.events().size());
+  }
+}
+
 TEST_P(Run, TheExamplesRun) {
   for (const char* program : {"length-offset-of-any-axis/shaft.nc", "wavy-strip-rotary-head/wavy-strip.nc",
                               "inclined-faces-tool-vector/faces.nc", "arc-figure-cutter-compensation-c/arc-figure.nc",
@@ -111,7 +144,7 @@ TEST_P(Run, TheExamplesRun) {
                               "touch-plate-length-measurement/touch-plate.nc", "tapered-boss-tool-side/boss.nc",
                               "tapered-boss-tool-side/boss-vector.nc", "blade-flank-tool-side/flank.nc",
                               "pyramid-posture-control/pyramid.nc", "inclined-slot-tool-center-point/slot.nc"}) {
-    const Outcome outcome = toolcomp("run " + kExamples + program + " --engine " + GetParam());
+    const Outcome outcome = toolcomp("run " + kExamples + program + " --notes off --engine " + GetParam());
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "") << program;
     EXPECT_EQ(outcome.out.find("\"alarm\""), std::string::npos) << program;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fast/basis/print.h"
+#include "spec/language/event_names.h"
 #include "tests/golden/worked_examples.h"
 
 namespace toolcomp::corpus::rows {
@@ -130,6 +131,8 @@ class Shown {
       const std::vector<std::string> value{equals == std::string::npos ? "" : row_[1].substr(equals + 1)};
       return line_ + ' ' + std::string(event_.setting.view()) + '=' + as(event_.value, value, 0);
     }
+    if (event_.kind != spec::EventKind::alarm && spec::ends_run(event_.kind))
+      return line_ + ' ' + std::string(spec::name(event_.kind)) + ' ' + std::string(event_.number.view());
     if (event_.kind != spec::EventKind::move) return line_ + ' ' + std::string(event_.number.view());
     const bool by_axes = head();
     by_axes ? axes() : point();

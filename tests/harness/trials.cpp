@@ -96,18 +96,5 @@ TEST(Trials, EndWhereAControllerIsNotKnown) {
   EXPECT_EQ(judge(c, run, std::span<const spec::TextEvent>(answer)).outcome, Outcome::differs);
 }
 
-// Klartext goes on behind words that this project passes over: the first of them counts.
-TEST(Trials, EndAtTheFirstBlockThatIsPassedOver) {
-  spec::Case c;
-  c.setup.control = spec::Control::heidenhain;
-  c.setup.axes = spec::Axes("XYZ");
-  c.program = "L X+1 R0 F100\nL X+2 M94\nL X+3\nL X+4 M94\nL X+5\n";
-  const ModelRun run = run_model(c);
-  EXPECT_EQ(run.events.size(), 5U);
-  ASSERT_TRUE(run.beyond);
-  EXPECT_EQ(run.beyond->line, 2U);
-  EXPECT_EQ(run.beyond->events, 1U);
-}
-
 }  // namespace
 }  // namespace toolcomp::fuzz

@@ -173,7 +173,8 @@ TEST(Case, EventsHaveTheFieldsOfTheirKind) {
             "event: \"feed\" does not belong to alarm events");
   EXPECT_EQ(event_error(R"({"kind":"alarm","number":"A","line":1,"colour":1})"), "event: unknown field \"colour\"");
   EXPECT_EQ(event_error(R"({"kind":"motion","line":1})"),
-            "kind: unknown value \"motion\"; expected one of move, sample, alarm, warning, setting, undecided");
+            "kind: unknown value \"motion\"; expected one of move, sample, alarm, warning, setting, undecided, "
+            "not_supported, not_judged");
   EXPECT_EQ(event_error(R"({"kind":"alarm","number":"A","line":1,"clauses":["no.such.clause"]})"),
             "clauses: unknown clause \"no.such.clause\"");
   EXPECT_EQ(event_error(R"({"kind":"alarm","line":1,"number":")" + std::string(64, 'A') + "\"}"),

@@ -82,7 +82,7 @@ constexpr Example kKlartext[] = {
      CALL
      "BLK FORM 0.1 Z X0 Y0 Z-10\nBLK FORM 0.2 X10 Y10 Z0\nTOOL DEF 2 L+10 R+5\nCYCL DEF 32.0 TOLERANCE\nCYCL DEF "
      "32.1 T0.01\nCYCL DEF 32.2 HSC-MODE:0 TA0.5\nCYCL DEF 247 PRESETTING ~\n   Q339=+1 ;PRESET NUMBER\nPLANE RESET "
-     "STAY\nPLANE SPATIAL SPA+10 SPB+0 SPC+0 TURN FMAX\nSTOP M1\nM138 \n" LN "\n"},
+     "STAY\nPLANE SPATIAL SPA+0 SPB+0 SPC+0 TURN FMAX\nSTOP M1\nM138 \n" LN "\n"},
 
     // Tool call and deltas
     {"Tools by number with index and by name; the tool before is at its place again.", TOOL_1(REWORKED) FIVE,

@@ -2,6 +2,7 @@
 #include "fast/fanuc/control/control.h"
 
 #include "spec/language/input_error.h"
+#include "spec/language/run_end.h"
 
 namespace toolcomp::fast {
 
@@ -80,10 +81,8 @@ void Control::end(const StageEnd& end) {
 
 void Control::send_alarm(AlarmCause cause, const char* more, std::uint64_t at,
                          const std::optional<std::uint64_t>& n_at) {
-  notice_.alarm = cause;
-  notice_.number = numbers_(cause);
-  notice_.message = more != nullptr ? more : spec::info(cause).text;
-  send_end(spec::EventKind::alarm, at, n_at);
+  spec::end_run(notice_, cause, more != nullptr ? more : spec::info(cause).text, numbers_);
+  send_end(notice_.kind, at, n_at);
 }
 
 void Control::send_end(spec::EventKind kind, std::uint64_t at, const std::optional<std::uint64_t>& n_at) {

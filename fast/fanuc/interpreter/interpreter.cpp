@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "fast/basis/fault.h"
-#include "spec/language/fanuc/not_supported.h"
 
 namespace toolcomp::fast {
 
@@ -117,7 +116,7 @@ void Interpreter::block(const spec::Block& block) {
     return;
   }
   const Words words(block, control_.axes.letters, control_.stop_codes);
-  if (control_.refuses_repeats && !words.unsupported() && repeats(block)) [[unlikely]]
+  if (control_.refuses_repeats && !words.unknown() && repeats(block)) [[unlikely]]
     return raise(AlarmCause::address_repeated);
   if (on_ != nullptr && !on_->on()) [[unlikely]]
     on_ = nullptr;
@@ -135,8 +134,8 @@ void Interpreter::block(const spec::Block& block) {
 
 void Interpreter::other_block(const Words& words) {
   Alarm alarm;
-  if (words.unsupported()) {
-    raise(AlarmCause::unknown_code, spec::code_not_supported(words.unknown_code()));
+  if (words.unknown()) {
+    raise(AlarmCause::unknown_code);
   } else if (words.any()) {
     alarm = block_with_commands(words);
   } else if (on_ != nullptr) {

@@ -147,7 +147,6 @@ void Words::set_code(std::uint64_t tenths) {
     code_[kOneShot] = static_cast<Code>(tenths);
     return;
   }
-  if (!unknown_) unknown_code_ = tenths;
   unknown_ = true;
 }
 

@@ -75,14 +75,13 @@ class Words {
     kGroups
   };
 
-  // A code the control does not have is unknown_code(). Refers to all of them.
+  // Refers to all of them.
   Words(const spec::Block& block, const AxisLetters& axes, const StopCodes& stops);
 
   // The code of a group, or kNone.
   [[nodiscard]] Code code(std::size_t group) const { return code_[group]; }
-  [[nodiscard]] bool unsupported() const { return unknown_; }
-  // The first of those codes, in tenths, where there is one.
-  [[nodiscard]] std::uint64_t unknown_code() const { return unknown_code_; }
+  // A code that the control does not have.
+  [[nodiscard]] bool unknown() const { return unknown_; }
   // G10 L2, G10 L20.
   [[nodiscard]] bool writes_origin() const;
   // G05 but for P10000, G96, G97, G160.
@@ -145,7 +144,6 @@ class Words {
   std::uint32_t letters_ = 0;
   std::uint16_t axes_ = 0;
   std::uint16_t data_axes_ = 0;
-  std::uint64_t unknown_code_ = 0;
   bool data_letters_ = false;
   bool high_speed_ = false;  // G05
   bool calls_ = false;       // M98, M99

@@ -3,6 +3,8 @@
 
 #include <bit>
 
+#include "spec/language/run_end.h"
+
 namespace toolcomp::fast::klartext {
 EventWriter::EventWriter(const spec::Setup& setup, EventSink& sink)
     : sink_(sink),
@@ -60,8 +62,8 @@ void EventWriter::undecided(const BlockHead& head) {
 }
 
 void EventWriter::alarm(const BlockHead& head, AlarmCause cause, const char* more) {
-  report_.alarm = cause;
-  report(spec::EventKind::alarm, head, numbers_(cause).view(), more != nullptr ? more : spec::info(cause).text);
+  spec::end_run(report_, cause, more != nullptr ? more : spec::info(cause).text, numbers_);
+  report(report_.kind, head, report_.number.view(), report_.message);
 }
 
 }  // namespace toolcomp::fast::klartext

@@ -15,7 +15,6 @@
 #include "fuzz/targets/pieces.h"
 #include "fuzz/targets/worker.h"
 #include "spec/language/heidenhain/klartext_reader.h"
-#include "spec/language/heidenhain/unsupported.h"
 #include "spec/language/input_error.h"
 
 namespace {
@@ -43,7 +42,6 @@ struct Read {
   std::optional<std::uint64_t> n;
   std::uint64_t line = 0;
   std::uint32_t column = 0;
-  const char* not_supported = nullptr;
 };
 
 bool is_call(const Read& block) {
@@ -61,8 +59,7 @@ Read kept(const Block& block) {
           block.statement,
           block.n,
           block.line,
-          block.column,
-          not_supported(block)};
+          block.column};
 }
 
 bool same(const Read& a, const Read& b) {
@@ -70,7 +67,7 @@ bool same(const Read& a, const Read& b) {
                       (!a.alarm || (a.alarm->cause == b.alarm->cause && a.alarm->line == b.alarm->line &&
                                     a.alarm->column == b.alarm->column));
   return alarms && a.text == b.text && a.many_digits == b.many_digits && a.statement == b.statement && a.n == b.n &&
-         a.line == b.line && a.column == b.column && a.not_supported == b.not_supported;
+         a.line == b.line && a.column == b.column;
 }
 
 struct Outcome {

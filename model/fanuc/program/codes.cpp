@@ -5,7 +5,6 @@
 
 #include "model/basis/alarm.h"
 #include "model/fanuc/program/offset_memory.h"
-#include "spec/language/fanuc/not_supported.h"
 
 namespace toolcomp::model {
 namespace {
@@ -23,12 +22,6 @@ std::optional<std::uint64_t> tenths(const spec::Decimal& value) {
   return decimals == 1 ? digits : digits * 10;
 }
 
-[[noreturn]] void raise_unknown(Recorder& recorder, const std::optional<std::uint64_t>& code) {
-  const char* const known = code ? spec::code_not_supported(*code) : nullptr;
-  raise(recorder, Clause::fanuc_program_unknown_code, AlarmCause::unknown_code,
-        known != nullptr ? known : "there is no such G code");
-}
-
 constexpr std::size_t kAdditional = 6;  // of G54.1 P1
 
 class Reader {
@@ -38,7 +31,7 @@ class Reader {
     high_speed_ = p != nullptr && plain(*p) == 10000;
   }
 
-  // False if the code is not supported.
+  // False if there is no such code.
   bool read(std::uint64_t code) {
     switch (code) {
       case 0:
@@ -300,8 +293,8 @@ Codes read_codes(const spec::Block& block, const Words& words, const spec::Setup
     codes.any = codes.any || word.address != 'O';
     if (word.address == 'G') {
       const auto code = tenths(word.value);
-      // fanuc.program.unknown-code: A G code that does not exist or is not supported raises PS0010.
-      if (!code || !reader.read(*code)) raise_unknown(recorder, code);
+      // fanuc.program.unknown-code: A G code that does not exist raises PS0010.
+      if (!code || !reader.read(*code)) raise(recorder, Clause::fanuc_program_unknown_code, AlarmCause::unknown_code);
     } else if (word.address == 'M') {
       read_m(word.value, setup, codes, recorder);
     } else if (word.address == 'S' || word.address == 'T') {

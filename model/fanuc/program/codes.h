@@ -118,7 +118,7 @@ struct Codes {
   bool repeats = false;           // two codes of one group
 };
 
-// Throws Alarm: PS0010 for the first code that is not supported, PS0030 for an offset number beyond the memory and for
+// Throws Alarm: PS0010 for the first code that does not exist, PS0030 for an offset number beyond the memory and for
 // a P that G54.1 does not have.
 Codes read_codes(const spec::Block& block, const Words& words, const spec::Setup& setup, Recorder& recorder);
 

@@ -29,6 +29,10 @@ spec::MoveType straight(Motion motion) {
   // number P, once, and PS0078 where there is none.
   else if (alarm.cause == AlarmCause::sequence_number_missing)
     recorder.reach(Clause::fanuc_program_return);
+  // fanuc.program.not-supported: A run ends without an alarm at a word that a control may well run and this project
+  // does not follow: the event not_supported names it.
+  else if (alarm.cause == AlarmCause::not_supported)
+    recorder.reach(Clause::fanuc_program_not_supported);
   // fanuc.program.unreadable-block: A block that cannot be read raises the alarm of reading when it is reached: PS0003
   // too many digits, PS0004 no address, PS0005 no digit, PS0006 a sign, PS0007 a point, PS0009 an unknown letter. It
   // ends the run.

@@ -31,9 +31,12 @@ constexpr auto kRows = std::to_array<Row>({
     // heidenhain.program.vector-zero: A vector whose components are all 0 has no direction and raises E_VEC_ZERO, a
     // tool vector that would be ignored too.
     {AlarmCause::vector_zero, Clause::heidenhain_program_vector_zero},
-    // heidenhain.program.not-supported: What a control may well run and this project does not follow raises
-    // E_UNSUPPORTED when it is reached, and its message names it.
+    // heidenhain.program.not-supported: A run ends without an alarm at a word that a control may well run and this
+    // project does not follow: the event not_supported names it.
     {AlarmCause::not_supported, Clause::heidenhain_program_not_supported},
+    // heidenhain.program.not-judged: A run ends without an alarm at a word after which positions are not known here:
+    // the event not_judged names it.
+    {AlarmCause::not_judged, Clause::heidenhain_program_not_judged},
     // heidenhain.program.label-missing: CALL LBL of a label that its program does not have raises E_LABEL_MISSING.
     {AlarmCause::label_missing, Clause::heidenhain_program_label_missing},
     // heidenhain.program.label-twice: CALL LBL of a label that stands in its program more than once raises
@@ -50,9 +53,6 @@ constexpr auto kRows = std::to_array<Row>({
     {AlarmCause::nesting, Clause::heidenhain_program_nesting},
     // heidenhain.program.program-missing: CALL PGM of a program that is not there raises E_NO_PROGRAM.
     {AlarmCause::called_program_missing, Clause::heidenhain_program_program_missing},
-    // heidenhain.program.too-many-blocks: Where calls and repeats add more than a million blocks to those of the text,
-    // the next one raises E_TOO_LONG.
-    {AlarmCause::too_many_blocks, Clause::heidenhain_program_too_many_blocks},
 });
 
 Clause clause_of(AlarmCause cause) {

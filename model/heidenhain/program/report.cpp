@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "spec/language/run_end.h"
+
 namespace toolcomp::model::klartext {
 namespace {
 
@@ -85,9 +87,7 @@ void report_out_of_scope(const Motion& motion, EventSink& sink) {
 void report_alarm(const Alarm& alarm, const spec::AlarmNumbers& numbers, const Place& current,
                   const spec::ClauseList& clauses, EventSink& sink) {
   Event event = event_of(spec::EventKind::alarm, alarm.line != 0 ? Place{alarm.line, alarm.n} : current);
-  event.alarm = alarm.cause;
-  event.number = numbers(alarm.cause);
-  event.message = alarm.message;
+  spec::end_run(event, alarm.cause, alarm.message, numbers);
   event.clauses = clauses;
   event.unmade = alarm.unmade;
   sink.on(event);

@@ -26,7 +26,6 @@ struct ReadAlarm {
   AlarmCause cause = AlarmCause::none;
   std::uint32_t column = 0;
   const char* message = "";  // static text
-  bool beyond = false;       // a control may well read this; this project does not
 };
 
 // Words in the order written. A block with a read alarm keeps the words before the fault; it is not executed.

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "spec/language/decimal_arithmetic.h"
 #include "spec/language/digits.h"
 #include "spec/language/fanuc/not_supported.h"
 #include "spec/language/input_error.h"
@@ -16,6 +17,7 @@ namespace toolcomp::spec {
 namespace {
 
 constexpr int kMaxProgramDigits = 15;                        // one more raises PS0003
+constexpr int kDeepestMacro = 5;                             // brackets in brackets
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // of UTF-8
 
 // What a byte may be where an address can stand.
@@ -74,8 +76,8 @@ std::array<Address, 256> addresses(const Axes& axes) {
 }  // namespace
 
 BlockReader::BlockReader(std::unique_ptr<ByteSource> bytes, const Axes& axes, ReaderOptions options,
-                         std::uint64_t first_line)
-    : options_(std::move(options)), address_(addresses(axes)) {
+                         MacroVariables& variables, std::uint64_t first_line)
+    : options_(std::move(options)), variables_(variables), address_(addresses(axes)) {
   begin(std::move(bytes), first_line);
 }
 
@@ -94,7 +96,10 @@ void BlockReader::begin(std::unique_ptr<ByteSource> bytes, std::uint64_t first_l
 
 bool BlockReader::next(Block& block) {
   while (!done_)
-    if (read_block(block)) return true;
+    if (read_block(block)) {
+      variables_.follow(block);
+      return true;
+    }
   return false;
 }
 
@@ -158,9 +163,10 @@ bool BlockReader::raise(Block& block, std::uint32_t column, AlarmCause cause, co
   passed_size_ = 0;
   if (word != nullptr) passed_[passed_size_++] = *word;
   skip_block();
-  if (const char* const beyond = text_not_supported({passed_.data(), passed_size_}); beyond != nullptr) {
-    block.alarm->message = beyond;
-    block.alarm->beyond = true;
+  if (cause == AlarmCause::not_supported) return false;
+  if (const char* const macro = text_not_supported({passed_.data(), passed_size_}); macro != nullptr) {
+    block.alarm->cause = AlarmCause::not_supported;
+    block.alarm->message = macro;
   }
   return false;
 }
@@ -271,6 +277,8 @@ bool BlockReader::read_word(Block& block, char letter) {
     block.n = value.digits;
     return true;
   }
+  if (letter == 'G')
+    if (const char* const what = code_not_supported(value)) return raise(block, start, AlarmCause::not_supported, what);
   if (letter == 'M' && (value.digits == 98 || value.digits == 99)) jump_ = value.digits == 98 ? Jump::call : Jump::back;
   block.word[block.size++] = {letter, value, start};
   return true;
@@ -308,6 +316,7 @@ bool BlockReader::read_number(Block& block, const Address& admitted, std::uint32
     byte = peek();
     if (byte == '-' || byte == '+') return raise(block, column(), AlarmCause::sign, "a second sign");
   }
+  if (byte == '#' || byte == '[') return read_macro(block, admitted, start, value);
   int digits = 0;
   for (;; take(), byte = peek()) {
     if (is_digit(byte)) {
@@ -329,6 +338,117 @@ bool BlockReader::read_number(Block& block, const Address& admitted, std::uint32
   return true;
 }
 
+int BlockReader::next_of_macro() {
+  while (peek() == ' ' || peek() == '\t' || peek() == '\r') take();
+  return peek();
+}
+
+std::optional<std::uint64_t> BlockReader::macro_number() {
+  std::uint64_t number = 0;
+  int digits = 0;
+  for (int byte = next_of_macro(); is_digit(byte) && digits < 4; take(), byte = peek(), ++digits)
+    number = number * 10 + static_cast<std::uint64_t>(byte - '0');
+  if (digits == 0 || !MacroVariables::is_one(number)) return std::nullopt;
+  return number;
+}
+
+// fanuc.program.macro-variable: what it is worth; [ ] in [ ]; a number as it stands there.
+std::optional<Decimal> BlockReader::macro_operand(int depth) {
+  int byte = next_of_macro();
+  if (byte == '-' || byte == '+') {
+    take();
+    const auto operand = macro_operand(depth);
+    return operand && byte == '-' ? negated(*operand) : operand;
+  }
+  if (byte == '#') {
+    take();
+    const auto number = macro_number();
+    return number ? variables_.value(*number) : std::nullopt;
+  }
+  if (byte == '[') {
+    if (depth == 0) return std::nullopt;
+    take();
+    auto inner = macro_sum(depth - 1);
+    if (next_of_macro() != ']') return std::nullopt;
+    take();
+    return inner;
+  }
+  Decimal value;
+  int digits = 0;
+  for (; is_digit(byte) || (byte == '.' && !value.point); take(), byte = peek()) {
+    if (byte == '.') {
+      value.point = true;
+      continue;
+    }
+    if (++digits > kMaxProgramDigits) return std::nullopt;
+    value.digits = value.digits * 10 + static_cast<std::uint64_t>(byte - '0');
+    value.decimals = static_cast<std::uint8_t>(value.decimals + (value.point ? 1 : 0));
+  }
+  if (digits == 0) return std::nullopt;
+  return value;
+}
+
+std::optional<Decimal> BlockReader::macro_product(int depth) {
+  auto value = macro_operand(depth);
+  while (value && next_of_macro() == '*') {
+    take();
+    const auto factor = macro_operand(depth);
+    value = factor ? product(*value, *factor) : std::nullopt;
+  }
+  return value;
+}
+
+std::optional<Decimal> BlockReader::macro_sum(int depth) {
+  auto value = macro_product(depth);
+  for (int sign = next_of_macro(); value && (sign == '+' || sign == '-'); sign = next_of_macro()) {
+    take();
+    const auto summand = macro_product(depth);
+    value = summand ? sum(*value, sign == '-' ? negated(*summand) : *summand) : std::nullopt;
+  }
+  return value;
+}
+
+bool BlockReader::read_macro(Block& block, const Address& admitted, std::uint32_t start, Decimal& value) {
+  constexpr unsigned kDecimals = 3;  // of the least input increment that every setup has
+  const bool negative = value.negative;
+  const bool variable = peek() == '#';
+  const auto found = macro_operand(kDeepestMacro);
+  if (!found)
+    return raise(block, start, AlarmCause::not_supported,
+                 variable ? "# (a macro variable that has no number here) is not supported"
+                          : "[ (an expression of a macro other than + - * of variables and numbers) is not supported");
+  value = negative ? negated(*found) : *found;
+  for (; value.decimals > 0 && value.digits % 10 == 0; --value.decimals) value.digits /= 10;
+  if (value.decimals > (admitted.point ? kDecimals : 0) || (value.negative && !admitted.sign) ||
+      value.digits >= kPowersOfTen[kMaxProgramDigits])
+    return raise(block, start, AlarmCause::not_supported,
+                 "# (a macro variable whose number this address does not take) is not supported");
+  value.point = admitted.point;
+  return true;
+}
+
+bool BlockReader::read_assignment(Block& block) {
+  const std::uint32_t start = column();
+  const bool alone = block.size == 0 && variables_.may_be_set();
+  take();
+  const auto number = macro_number();
+  const bool assigns = next_of_macro() == '=';
+  std::optional<Decimal> value;
+  if (assigns) {
+    take();
+    value = macro_sum(kDeepestMacro);
+  }
+  const int end = next_of_macro();
+  if (!alone || !number || !value || (end != kEnd && end != '\n' && end != ';' && end != '('))
+    return raise(
+        block, start, AlarmCause::not_supported,
+        alone ? "# (a macro statement other than a variable set to + - * of variables and numbers) is not supported"
+              : "# (a macro variable set after the program has begun) is not supported");
+  started_ = true;
+  variables_.set(*number, *value);
+  return true;
+}
+
 // The place is at hand, not in the reader: what is written of a word would have to be waited for there.
 bool BlockReader::read_usual_words(Block& block) {
   const char* at = position_;
@@ -340,6 +460,8 @@ bool BlockReader::read_usual_words(Block& block) {
     Decimal value;
     const char* const end = read_usual(at + 1, admitted, value);
     if (end == nullptr) break;
+    constexpr std::uint64_t kInUse = 4;  // G00 to G04 stand in most blocks
+    if (letter == 'G' && (value.digits > kInUse || value.decimals != 0) && code_not_supported(value) != nullptr) break;
     if (letter == 'N')
       block.n = value.digits;
     else
@@ -426,7 +548,10 @@ bool BlockReader::read_block(Block& block) {
         raise(block, column(), AlarmCause::address_missing, "a sign where an address must stand");
         break;
       case Kind::other:
-        raise(block, column(), AlarmCause::address_missing, "this character is no address");
+        if (byte == '#')
+          read_assignment(block);
+        else
+          raise(block, column(), AlarmCause::address_missing, "this character is no address");
         break;
       case Kind::substitute:
         end_file();

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,7 @@
 #include "spec/language/byte_source.h"
 #include "spec/language/digits.h"
 #include "spec/language/fanuc/block.h"
+#include "spec/language/fanuc/macro_variables.h"
 #include "spec/language/reader_options.h"
 
 namespace toolcomp::spec {
@@ -31,7 +33,9 @@ class BlockReader {
   // Where the program goes on behind a block.
   enum class Jump : std::uint8_t { none, call, back };  // M98, M99
 
-  BlockReader(std::unique_ptr<ByteSource> bytes, const Axes& axes, ReaderOptions options, std::uint64_t first_line = 1);
+  // `variables` are set and read by the text.
+  BlockReader(std::unique_ptr<ByteSource> bytes, const Axes& axes, ReaderOptions options, MacroVariables& variables,
+              std::uint64_t first_line = 1);
 
   // Begins anew, with another text.
   void begin(std::unique_ptr<ByteSource> bytes, std::uint64_t first_line);
@@ -81,6 +85,16 @@ class BlockReader {
   // These return whether all is well; after a fault the rest of the block is behind.
   bool read_word(Block& block, char letter);
   bool read_number(Block& block, const Address& admitted, std::uint32_t start, Decimal& value);
+  // Of macros: #100, [#100+2.] behind an address and its sign; #100=5. as a block. What is not followed is not
+  // supported.
+  bool read_macro(Block& block, const Address& admitted, std::uint32_t start, Decimal& value);
+  bool read_assignment(Block& block);
+  // A sum of products up to `depth` brackets deep; nothing where it is anything else, or no decimal.
+  std::optional<Decimal> macro_sum(int depth);
+  std::optional<Decimal> macro_product(int depth);
+  std::optional<Decimal> macro_operand(int depth);
+  std::optional<std::uint64_t> macro_number();  // behind #
+  int next_of_macro();                          // peek() behind blanks
   // The words from here on, a blank apart at most, as long as they have usual numbers. False: not even the first one.
   bool read_usual_words(Block& block);
   // The usual number without a detour, [-]digits[.digits] of at most seven each: where it ends; nullptr where it is or
@@ -100,6 +114,7 @@ class BlockReader {
 
   std::unique_ptr<ByteSource> source_;
   ReaderOptions options_;
+  MacroVariables& variables_;
   std::array<Address, 256> address_;
   std::array<char, kBufferSize + 2 * kDigitsRead> buffer_{};  // the byte at `end_` is 0
   const char* position_ = buffer_.data();

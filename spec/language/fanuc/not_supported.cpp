@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <cstdint>
 
 namespace toolcomp::spec {
 namespace {
@@ -26,12 +26,17 @@ constexpr std::array kCodes{
     Code{70, "G07 (hypothetical axis interpolation) is not supported"},
     Code{71, "G07.1 (cylindrical interpolation) is not supported"},
     Code{106, "G10.6 (tool retract and recover) is not supported"},
+    Code{120, "G12 (a code of machine builders) is not supported"},
     Code{121, "G12.1 (polar coordinate interpolation) is not supported"},
+    Code{130, "G13 (a code of machine builders) is not supported"},
     Code{160, "G16 (polar coordinate command) is not supported"},
     Code{270, "G27 (reference position return check) is not supported"},
     Code{310, "G31 (skip) is not supported"},
     Code{318, "G31.8 (EGB skip) is not supported"},
     Code{330, "G33 (threading) is not supported"},
+    Code{340, "G34 (a code of machine builders) is not supported"},
+    Code{350, "G35 (a code of machine builders) is not supported"},
+    Code{360, "G36 (a code of machine builders) is not supported"},
     Code{380, "G38 (cutter compensation vector retention) is not supported"},
     Code{411, "G41.1 (normal direction control) is not supported"},
     Code{414, "G41.4 (three-dimensional cutter compensation) is not supported"},
@@ -60,6 +65,9 @@ constexpr std::array kCodes{
     Code{682, "G68.2 (tilted working plane) is not supported"},
     Code{683, "G68.3 (tilted working plane) is not supported"},
     Code{684, "G68.4 (tilted working plane) is not supported"},
+    Code{700, "G70 (a code of machine builders) is not supported"},
+    Code{710, "G71 (a code of machine builders) is not supported"},
+    Code{720, "G72 (a code of machine builders) is not supported"},
     Code{721, "G72.1 (figure copy) is not supported"},
     Code{722, "G72.2 (figure copy) is not supported"},
     Code{730, "G73 (peck drilling, a canned cycle) is not supported"},
@@ -87,52 +95,55 @@ constexpr std::array kCodes{
     Code{1510, "G151 (normal direction control) is not supported"},
     Code{1520, "G152 (normal direction control) is not supported"},
     Code{1610, "G161 (in-feed control) is not supported"},
+    Code{1870, "G187 (a code of machine builders) is not supported"},
+    Code{2340, "G234 (a code of machine builders) is not supported"},
+    Code{2540, "G254 (a code of machine builders) is not supported"},
+    Code{2550, "G255 (a code of machine builders) is not supported"},
 };
 static_assert(std::ranges::is_sorted(kCodes, {}, &Code::tenths));
 
-// A G number in tenths; one that no list has where it is none.
-std::uint64_t tenths_of(const Decimal& number) {
-  constexpr std::uint64_t kNone = std::numeric_limits<std::uint64_t>::max();
-  std::uint64_t digits = number.digits;
-  unsigned decimals = number.decimals;
-  for (; decimals > 1; --decimals, digits /= 10)
-    if (digits % 10 != 0) return kNone;
-  if (digits >= kCodes.back().tenths + 1) return kNone;
-  return decimals == 1 ? digits : digits * 10;
-}
+struct Statement {
+  std::string_view begins;
+  const char* text;
+};
 
-constexpr std::array<std::string_view, 11> kMacroWords{"IF",    "WHILE", "GOTO",  "THEN",  "END",  "DO",
-                                                       "SETVN", "POPEN", "PCLOS", "DPRNT", "BPRNT"};
+// In this order: GOTO before what begins alike.
+constexpr std::array kMacros{
+    Statement{"IF", "IF (a macro statement) is not supported"},
+    Statement{"WHILE", "WHILE (a macro statement) is not supported"},
+    Statement{"GOTO", "GOTO (a macro statement) is not supported"},
+    Statement{"THEN", "THEN (a macro statement) is not supported"},
+    Statement{"END", "END (a macro statement) is not supported"},
+    Statement{"DO", "DO (a macro statement) is not supported"},
+    Statement{"SETVN", "SETVN (a macro statement) is not supported"},
+    Statement{"POPEN", "POPEN (a macro statement) is not supported"},
+    Statement{"PCLOS", "PCLOS (a macro statement) is not supported"},
+    Statement{"DPRNT", "DPRNT (a macro statement) is not supported"},
+    Statement{"BPRNT", "BPRNT (a macro statement) is not supported"},
+    Statement{",R", ",R (corner rounding) is not supported"},
+    Statement{",C", ",C (chamfering) is not supported"},
+};
 
 }  // namespace
 
-const char* code_not_supported(std::uint64_t tenths) {
+const char* code_not_supported(const Decimal& number) {
+  std::uint64_t tenths = number.digits;
+  unsigned decimals = number.decimals;
+  for (; decimals > 1; --decimals, tenths /= 10)
+    if (tenths % 10 != 0) return nullptr;
+  if (tenths > kCodes.back().tenths) return nullptr;
+  if (decimals == 0) tenths *= 10;
   const auto* const found = std::ranges::lower_bound(kCodes, tenths, {}, &Code::tenths);
   return found != kCodes.end() && found->tenths == tenths ? found->text : nullptr;
 }
 
 const char* text_not_supported(std::string_view text) {
-  if (text.starts_with(",R") || text.starts_with(",C"))
-    return ",R and ,C (corner rounding, chamfering) are not supported";
-  const auto variable = [text](std::size_t at) { return text.size() > at && (text[at] == '#' || text[at] == '['); };
-  if (variable(0) || variable(1)) return "custom macro variables and expressions are not supported";
-  if (std::ranges::any_of(kMacroWords, [text](std::string_view word) { return text.starts_with(word); }))
-    return "custom macro statements (IF, WHILE, GOTO and the like) are not supported";
-  return nullptr;
-}
-
-const Word* word_not_supported(const Block& block) {
-  const auto words = block.words();
-  const auto found = std::ranges::find_if(words, [](const Word& word) {
-    return word.address == 'G' && code_not_supported(tenths_of(word.value)) != nullptr;
-  });
-  return found == words.end() ? nullptr : &*found;
-}
-
-const char* not_supported(const Block& block) {
-  if (block.alarm) return block.alarm->beyond ? block.alarm->message : nullptr;
-  const Word* const word = word_not_supported(block);
-  return word == nullptr ? nullptr : code_not_supported(tenths_of(word->value));
+  const auto is = [text](std::size_t at, char c) { return text.size() > at && text[at] == c; };
+  if (is(0, '#') || is(1, '#')) return "# (a macro variable) is not supported";
+  if (is(0, '[') || is(1, '[')) return "[ (an expression of a macro) is not supported";
+  const auto* const found =
+      std::ranges::find_if(kMacros, [text](const Statement& s) { return text.starts_with(s.begins); });
+  return found == kMacros.end() ? nullptr : found->text;
 }
 
 }  // namespace toolcomp::spec

@@ -135,7 +135,8 @@ std::vector<ProgramLibrary::Piece> ProgramLibrary::keep(std::string text, const 
 }
 
 void ProgramLibrary::join_called(std::string_view text) {
-  BlockReader reader(text_source(text), axes_, options_);
+  MacroVariables variables;
+  BlockReader reader(text_source(text), axes_, options_, variables);
   Block block;
   try {
     while (reader.next(block))

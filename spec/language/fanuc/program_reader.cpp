@@ -18,7 +18,7 @@ constexpr std::size_t kMostCalls = 10;  // one inside the other
 
 struct ProgramReader::State {
   State(std::unique_ptr<ByteSource> source, Axes given, ReaderOptions reader_options)
-      : axes(std::move(given)), options(std::move(reader_options)), main(std::move(source), axes, options) {}
+      : axes(std::move(given)), options(std::move(reader_options)), main(std::move(source), axes, options, variables) {}
 
   // A program that is called and runs.
   struct Call {
@@ -42,6 +42,7 @@ struct ProgramReader::State {
 
   Axes axes;
   ReaderOptions options;
+  MacroVariables variables;
   BlockReader main;
   std::optional<ProgramLibrary> library;  // from the first call on
   std::vector<Call> calls;
@@ -72,7 +73,8 @@ void ProgramReader::State::begin(Call& call) {
   if (call.reader)
     call.reader->begin(text_source(call.program.text), call.program.line);
   else
-    call.reader = std::make_unique<BlockReader>(text_source(call.program.text), axes, options, call.program.line);
+    call.reader =
+        std::make_unique<BlockReader>(text_source(call.program.text), axes, options, variables, call.program.line);
 }
 
 void ProgramReader::State::end_call() {
@@ -96,8 +98,8 @@ void ProgramReader::State::end_program() {
 }
 
 void ProgramReader::State::follow(Block& block) {
-  const auto fault = [&block](AlarmCause cause, const char* message, bool beyond = false) {
-    block.alarm = ReadAlarm{cause, block.size == 0 ? 1 : block.word[0].column, message, beyond};
+  const auto refuse = [&block](const char* message) {
+    block.alarm = ReadAlarm{AlarmCause::not_supported, block.size == 0 ? 1 : block.word[0].column, message};
   };
   if (reader().jump() == BlockReader::Jump::call) {
     call(block);
@@ -105,12 +107,11 @@ void ProgramReader::State::follow(Block& block) {
   }
   const Word* p = nullptr;
   for (const Word& word : block.words()) {
-    if (word.address == 'L')
-      return fault(AlarmCause::unknown_code, "M99 with L (count of repetitions) is not supported", true);
+    if (word.address == 'L') return refuse("M99 L (count of repetitions) is not supported");
     if (word.address == 'P') p = &word;
   }
   if (p == nullptr || calls.empty()) {
-    if (p != nullptr) return fault(AlarmCause::unknown_code, "M99 with P in a main program is not supported", true);
+    if (p != nullptr) return refuse("M99 P (in a main program) is not supported");
     end_program();
     return;
   }
@@ -167,8 +168,8 @@ bool ProgramReader::next(Block& block) {
     state.calls.back().empty = false;
     state.too_long = ++state.called_blocks > state.options.most_repeated;
     if (state.too_long)
-      block.alarm = ReadAlarm{AlarmCause::program_too_long, 1,
-                              "programs that are called have more blocks than are followed here", true};
+      block.alarm = ReadAlarm{AlarmCause::not_supported, 1,
+                              "M98 (more blocks of programs called than are followed) is not supported"};
   }
   if (state.reader().jump() != BlockReader::Jump::none && !block.alarm) [[unlikely]]
     state.follow(block);
@@ -176,7 +177,8 @@ bool ProgramReader::next(Block& block) {
 }
 
 std::string joined_program(std::string_view text, const Axes& axes, const ReaderOptions& options) {
-  BlockReader reader(text_source(text), axes, options);
+  MacroVariables variables;
+  BlockReader reader(text_source(text), axes, options, variables);
   Block block;
   while (reader.next(block))
     if (reader.jump() == BlockReader::Jump::call && !block.alarm) {

@@ -23,8 +23,8 @@ class ProgramReader {
   ProgramReader& operator=(ProgramReader&&) noexcept;
 
   // The next block with at least one word (or an alarm) into `block`; false at the end of the text or at the `%` that
-  // ends it, behind M99 of the main program, and behind TOO_LONG. Throws InputError for bytes that are no text.
-  // Allocates where a program is called, else not.
+  // ends it, behind M99 of the main program, and after too many blocks of programs called. Throws InputError for bytes
+  // that are no text. Allocates where a program is called, else not.
   bool next(Block& block);
 
  private:

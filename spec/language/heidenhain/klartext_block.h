@@ -74,7 +74,6 @@ struct ReadAlarm {
   std::uint64_t line = 0;  // of the text: of the fault; behind a continuation not that of the block
   std::uint32_t column = 0;
   const char* message = "";  // static text
-  bool beyond = false;       // the control may well read this; this project does not
 };
 
 // A value of a member counts only where the statement has it and its mask or kind says so: the reader writes nothing
@@ -88,7 +87,6 @@ struct Block {
   std::uint32_t column = 1;        // of the statement
   std::optional<std::uint64_t> n;  // block number
   std::optional<ReadAlarm> alarm;
-  const char* passed_over = nullptr;  // static text: what was read as if it did nothing (unsupported.h)
 
   // L, LN, cycle 7: by slot, see kAxisLetters
   std::uint16_t axes = 0;         // bit i: slot i has a word

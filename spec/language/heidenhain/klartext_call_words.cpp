@@ -31,7 +31,7 @@ const char* BlockParser::label_word(Block& block, const char* at) {
     block.label = std::string_view(word, name.size() + 2);
     return at;
   }
-  if (upper(*at) == 'Q') return refuse(block, word, "a label by a parameter is not supported");
+  if (upper(*at) == 'Q') return refuse(block, word, "LBL Q (a label by a parameter) is not supported");
   std::uint64_t number = 0;
   at = read_integer(at, kMostLabel, number);
   if (at == nullptr || !at_word_end(at)) return bad_word(block, word);
@@ -59,7 +59,8 @@ const char* BlockParser::called_label(Block& block, const char* at) {
   const char* const repeat = at;
   at += 3;
   if (at_word_end(at)) at = gap(at);
-  if (upper(*at) == 'Q') return refuse(block, at, "a number of repeats by a parameter is not supported");
+  if (at == text_.stop) return at;  // nothing was entered
+  if (upper(*at) == 'Q') return refuse(block, at, "REP Q (a number of repeats by a parameter) is not supported");
   std::uint64_t count = 0;
   std::uint64_t left = 0;
   at = read_integer(at, kMostRepeats, count);
@@ -71,6 +72,7 @@ const char* BlockParser::called_label(Block& block, const char* at) {
 
 const char* BlockParser::called_program(Block& block, const char* at) {
   block.statement = Statement::call_program;
+  beside_ = false;
   passed_over_ = true;
   const char* const word = at;
   std::string_view name;

@@ -12,8 +12,8 @@ namespace {
 // Of subprograms in subprograms, and of programs in programs.
 constexpr std::size_t kDeepest = 19;
 
-void raise(Block& block, AlarmCause cause, const char* message, bool beyond = false) {
-  block.alarm = ReadAlarm{cause, block.line, block.column, message, beyond};
+void raise(Block& block, AlarmCause cause, const char* message) {
+  block.alarm = ReadAlarm{cause, block.line, block.column, message};
 }
 
 }  // namespace
@@ -45,7 +45,8 @@ void Calls::make_programs() {
 
 std::optional<TextPlace> Calls::next(Block& block, TextPlace at, TextPlace behind) {
   if (++blocks_ > most_blocks_) {
-    raise(block, AlarmCause::too_many_blocks, "calls and repeats make more blocks than are read here", true);
+    raise(block, AlarmCause::not_supported,
+          "CALL (more blocks by calls and repeats than are followed) is not supported");
     return std::nullopt;
   }
   if (block.alarm) return behind;
@@ -107,7 +108,7 @@ TextPlace Calls::repeat(Block& block, TextPlace at, TextPlace behind) {
   const std::optional<TextPlace> place = place_of_label(block);
   if (!place) return behind;
   if (place->offset > at.offset) {
-    raise(block, AlarmCause::not_supported, "REP of a label behind its call is not supported", true);
+    raise(block, AlarmCause::not_supported, "REP (of a label after its call) is not supported");
     return behind;
   }
   auto& repeats = frames_.back().repeats;
@@ -158,7 +159,8 @@ TextPlace Calls::program(Block& block, TextPlace behind) {
   else if (depth(false) == kDeepest)
     raise(block, AlarmCause::nesting, "more than 19 programs in each other");
   else if (programs_[*called].units != main_.units)
-    raise(block, AlarmCause::not_supported, "a program in other units than the main program is not supported", true);
+    raise(block, AlarmCause::not_supported,
+          "CALL PGM (of a program in other units than the main program) is not supported");
   if (block.alarm) return behind;
   frames_.push_back({behind, *called, {}, {}});
   return programs_[*called].begin;

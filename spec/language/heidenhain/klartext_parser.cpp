@@ -74,9 +74,7 @@ const char* BlockParser::raise(Block& block, const char* at, AlarmCause cause, c
 }
 
 const char* BlockParser::refuse(Block& block, const char* at, const char* message) {
-  raise(block, at, AlarmCause::not_supported, message);
-  block.alarm->beyond = true;
-  return nullptr;
+  return raise(block, at, AlarmCause::not_supported, message);
 }
 
 const char* BlockParser::bad_word(Block& block, const char* at) {
@@ -120,7 +118,6 @@ BlockParser::Head BlockParser::parse_head(Block& block, const BlockText& text) {
   block.line = text.line;
   block.n.reset();
   block.alarm.reset();
-  block.passed_over = nullptr;
   Head head;
   const auto slash = [&](const char* at) {
     while (is_blank(*at)) ++at;
@@ -169,11 +166,14 @@ bool BlockParser::parse_statement(Block& block, const char* at) {
     line(block, at);
   else
     rare_statement(block, at);
+  if (unknown_ && !block.alarm && takes_unknown(block))
+    raise(block, at, AlarmCause::not_supported, "Q (set by FN 18) is not supported");
   first_ = false;
   return true;
 }
 
 const char* BlockParser::line(Block& block, const char* at) {
+  const char* const initiator = at;
   block.statement = Statement::line;
   unsigned axes = 0;
   unsigned incremental = 0;
@@ -199,8 +199,12 @@ const char* BlockParser::line(Block& block, const char* at) {
   block.axes = static_cast<std::uint16_t>(axes);
   block.incremental = static_cast<std::uint16_t>(incremental);
   block.many_digits = many_digits;
-  if ((axes & kRotarySlots) != 0 && !turned_) [[unlikely]]
-    turned_ = turns(block);
+  if ((axes & kRotarySlots) != 0) [[unlikely]] {
+    turned_ = turned_ || turns(block);
+    if ((axes & incremental & renamed_) != 0)
+      return raise(block, initiator, AlarmCause::not_judged, "M94 (whole turns of rotary axes) is not judged");
+    renamed_ &= ~axes;
+  }
   at = tail(block, at);
   return at == nullptr ? nullptr : finish(block, at);
 }
@@ -286,10 +290,13 @@ const char* BlockParser::tail(Block& block, const char* at) {
   return functions(block, at);
 }
 
+// R, F and M alone, which old controls show where nothing was entered, say nothing.
 const char* BlockParser::radius(Block& block, const char* at) {
+  if (at_word_end(at + 1)) return gap(at + 1);
   const char kind = upper(at[1]);
   if ((kind != '0' && kind != 'L' && kind != 'R') || !at_word_end(at + 2)) return bad_word(block, at);
   block.radius = kind == '0' ? RadiusWord::r0 : kind == 'L' ? RadiusWord::rl : RadiusWord::rr;
+  beside_ = kind != '0';
   return gap(at + 2);
 }
 
@@ -304,7 +311,7 @@ const char* BlockParser::feed(Block& block, const char* at) {
     return true;
   };
   if (is("MAX", FeedWord::f_max) || is("AUTO", FeedWord::f_auto)) return at;
-  if (at != word + 1) return bad_word(block, word);
+  if (at != word + 1 && !is_digit(*at) && upper(*at) != 'Q') return at;
   const char key = upper(*at);
   block.feed = key == 'Z' ? FeedWord::f_z : key == 'U' ? FeedWord::f_u : FeedWord::f;
   return keyed_value(block, word, block.feed == FeedWord::f ? 1 : 2, block.feed_value);
@@ -313,6 +320,10 @@ const char* BlockParser::feed(Block& block, const char* at) {
 const char* BlockParser::functions(Block& block, const char* at) {
   while (upper(*at) == 'M') {
     const char* const word = at;
+    if (at_word_end(at + 1)) {
+      at = gap(at + 1);
+      continue;
+    }
     std::uint64_t number = 0;
     at = read_integer(at + 1, 9999, number);
     if (at == nullptr || !at_word_end(at)) return bad_word(block, word);

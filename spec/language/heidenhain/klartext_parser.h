@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "spec/language/heidenhain/klartext_formula.h"
 #include "spec/language/heidenhain/klartext_words.h"
 #include "spec/language/setup.h"
 
@@ -71,7 +72,7 @@ class BlockParser {
   };
   [[nodiscard]] Place place(const char* at) const;
   const char* raise(Block& block, const char* at, AlarmCause cause, const char* message);
-  // E_UNSUPPORTED.
+  // Not supported.
   const char* refuse(Block& block, const char* at, const char* message);
   // The same where the statement is one of those that have a name, else E_SYNTAX.
   const char* refuse_by_name(Block& block, const char* at);
@@ -88,6 +89,7 @@ class BlockParser {
   const char* feed(Block& block, const char* at);
   const char* functions(Block& block, const char* at);
   const char* words_of_function(Block& block, const char* at, std::uint64_t number, const char* function);
+  [[nodiscard]] const char* not_judged(std::uint64_t function) const;
   const char* words_without_effect(Block& block, const char* at);
 
   const char* rare_statement(Block& block, const char* at);
@@ -109,10 +111,15 @@ class BlockParser {
   const char* datum_shift(Block& block, const char* at);
   const char* transformation(Block& block, const char* at);
   const char* preset(Block& block, const char* at);
-  void select_preset(Block& block, const Value& number);
+  bool is_first_preset(const Value& number);
   const char* without_effect(Block& block);
+  const char* contour_words(Block& block, const char* at);
+  const char* contour(Block& block, const char* at, const char* behind, const char* message);
   const char* plane(Block& block, const char* at);
-  const char* assignment(Block& block, const char* at, bool locals);
+  const char* numbered_function(Block& block, const char* at);
+  const char* system_data(Block& block, const char* at);
+  const char* assignment(Block& block, const char* at, char operation);
+  [[nodiscard]] bool takes_unknown(const Block& block) const;
   const char* label(Block& block, const char* at);
   const char* label_word(Block& block, const char* at);
   const char* call(Block& block, const char* at);
@@ -132,7 +139,12 @@ class BlockParser {
   bool ended_ = false;
   Name program_name_;
   Units units_;
-  bool turned_ = false;          // a rotary axis was sent elsewhere than to 0
+  bool turned_ = false;   // a rotary axis was sent elsewhere than to 0
+  unsigned renamed_ = 0;  // by slot: M94 may have taken whole turns from the position of this axis
+  bool tcpm_ = false;     // TCPM is on
+  bool beside_ = false;   // RL or RR
+  ParameterValues parameters_;
+  bool unknown_ = false;         // one of them has no value here
   std::optional<Value> preset_;  // the number selected first
   // Words of the block at hand that are at fault if no other is.
   const char* fifth_function_ = nullptr;

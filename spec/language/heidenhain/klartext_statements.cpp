@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "spec/language/alarm.h"
 #include "spec/language/heidenhain/klartext_parser.h"
 #include "spec/language/input_error.h"
 
@@ -15,18 +16,6 @@ constexpr std::uint64_t kMostRow = 999'999'999;
 constexpr std::size_t kLongestName = 32;
 
 bool is_zero(const Value& value) { return value.parameter.kind == ParameterKind::none && value.number.digits == 0; }
-
-// Signs, brackets and functions of a formula. The end of a line is none of a sign, be it CR LF or LF.
-bool is_operator(const char* at) {
-  return std::string_view("+-*/^").find(*at) != std::string_view::npos && (at[1] == ' ' || at[1] == '\t');
-}
-bool begins_formula(const char* at) {
-  if (*at == '(' || is_operator(at)) return true;
-  constexpr std::array<std::string_view, 16> kFunctions{"SIN", "COS", "TAN", "ASIN", "ACOS", "ATAN", "SQRT", "SQ",
-                                                        "LN",  "LOG", "EXP", "NEG",  "INT",  "ABS",  "FRAC", "SGN"};
-  return std::ranges::any_of(kFunctions, [at](std::string_view name) { return read_word(at, name) != nullptr; }) ||
-         read_word(at, "PI") != nullptr;
-}
 
 // X, Y or Z alone.
 char axis_letter(const char* at) {
@@ -66,6 +55,7 @@ const char* BlockParser::rare_statement(Block& block, const char* at) {
   switch (upper(*at)) {
     case 'M':
       block.functions = 0;
+      if (at_word_end(at + 1)) return bad_word(block, at);
       at = functions(block, at);
       break;
     case 'T':
@@ -75,7 +65,7 @@ const char* BlockParser::rare_statement(Block& block, const char* at) {
       at = function(block, at);
       break;
     case 'Q':
-      at = assignment(block, at, true);
+      at = assignment(block, at, '=');
       break;
     case 'C':
       if (const char* const called = words(at, "CALL"))
@@ -209,6 +199,7 @@ const char* BlockParser::tool_name(Block& block, const char* at) {
 
 const char* BlockParser::tool_call(Block& block, const char* at) {
   block.statement = Statement::tool_call;
+  beside_ = false;
   block.feed = FeedWord::none;
   block.dl.reset();
   block.dr.reset();
@@ -268,18 +259,14 @@ const char* BlockParser::tool_definition(Block& block, const char* at) {
 }
 
 const char* BlockParser::function(Block& block, const char* at) {
-  if (const char* const assigned = words(at, "FN")) {
-    if (assigned[0] != '0' || assigned[1] != ':') return refuse_by_name(block, at);
-    return assignment(block, gap(assigned + 2), false);
-  }
+  if (upper(at[1]) == 'N') return numbered_function(block, at);
   const char* const named = words(at, "FUNCTION");
   if (named == nullptr) return bad_word(block, at);
-  if (const char* const off = words(named, "RESET", "TCPM")) {
+  const char* off = words(named, "RESET", "TCPM");
+  if (off == nullptr) off = words(named, "TCPM", "OFF");
+  if (off != nullptr) {
     block.statement = Statement::reset_tcpm;
-    return off;
-  }
-  if (const char* const off = words(named, "TCPM", "OFF")) {
-    block.statement = Statement::reset_tcpm;
+    tcpm_ = false;
     return off;
   }
   if (const char* const on = words(named, "TCPM")) return tcpm(block, on);
@@ -288,7 +275,7 @@ const char* BlockParser::function(Block& block, const char* at) {
     const char* const on = words(path, "IS", "CONTOUR");
     block.contour = on != nullptr;
     if (block.contour) return on;
-    const char* const off = words(path, "OFF");
+    off = words(path, "OFF");
     return off == nullptr ? bad_word(block, path) : off;
   }
   if (const char* const data = words(named, "CORRDATA")) return correction_data(block, data);
@@ -296,11 +283,12 @@ const char* BlockParser::function(Block& block, const char* at) {
   for (const std::string_view word : {"COUNT", "DCM", "DWELL", "FEED", "LIFTOFF", "S-PULSE"})
     if (read_word(named, word) != nullptr) return without_effect(block);
   refuse_by_name(block, at);
-  return block.alarm->beyond ? nullptr : bad_word(block, named);
+  return is_beyond(block.alarm->cause) ? nullptr : bad_word(block, named);
 }
 
 const char* BlockParser::tcpm(Block& block, const char* at) {
   block.statement = Statement::tcpm;
+  tcpm_ = true;
   block.reference = ReferenceWord::tip_tip;
   const auto one_of = [&](std::string_view word, std::string_view one, std::string_view other) {
     const char* behind = words(at, word, one);
@@ -400,7 +388,7 @@ const char* BlockParser::cycle(Block& block, const char* at) {
 
 const char* BlockParser::datum_shift(Block& block, const char* at) {
   constexpr std::string_view kLinear = "XYZUVW";
-  if (*at == '#') return refuse(block, at, "CYCL DEF 7 with a datum table is not supported");
+  if (*at == '#') return refuse(block, at, "CYCL DEF 7 # (a datum table) is not supported");
   while (at != text_.stop) {
     const char* const word = at;
     const bool increment = upper(*at) == 'I';
@@ -416,57 +404,97 @@ const char* BlockParser::datum_shift(Block& block, const char* at) {
   return at;
 }
 
-// Rotary axes that are at 0 need no turn.
 const char* BlockParser::plane(Block& block, const char* at) {
-  constexpr const char* kTurns = "PLANE with MOVE or TURN (positioning of rotary axes) is not supported";
   const char* const initiator = at;
+  // Rotary axes that stand at 0 need no turn.
+  const auto turns = [&](const char* word) {
+    return turned_ && (read_word(word, "MOVE") != nullptr || read_word(word, "TURN") != nullptr);
+  };
   at = words(at, "PLANE");
   if (at == nullptr) return refuse_by_name(block, initiator);
   block.statement = Statement::plane;
   if (const char* const reset = words(at, "RESET")) {
-    if (turned_ && (read_word(reset, "MOVE") != nullptr || read_word(reset, "TURN") != nullptr))
-      block.passed_over = kTurns;
+    if (turns(reset))
+      return raise(block, initiator, AlarmCause::not_judged, "PLANE RESET (with MOVE or TURN) is not judged");
     return free_text();
   }
   const char* const spatial = words(at, "SPATIAL");
   if (spatial == nullptr) {
     refuse_by_name(block, initiator);
-    return block.alarm->beyond ? nullptr : bad_word(block, at);
+    return is_beyond(block.alarm->cause) ? nullptr : bad_word(block, at);
   }
   at = spatial;
+  bool tilts = false;
   for (const char letter : {'A', 'B', 'C'}) {
     if (upper(at[0]) != 'S' || upper(at[1]) != 'P' || upper(at[2]) != letter) return bad_word(block, at);
     Value angle;
     at = keyed_value(block, at, 3, angle);
     if (at == nullptr) return nullptr;
-    if (!is_zero(angle)) block.passed_over = "PLANE SPATIAL (tilted working plane) is not supported";
+    tilts = tilts || !is_zero(angle);
   }
-  for (const std::string_view movement : {"MOVE", "TURN", "STAY"})
-    if (read_word(at, movement) != nullptr) {
-      if (turned_ && movement != "STAY" && block.passed_over == nullptr) block.passed_over = kTurns;
-      return free_text();
-    }
-  return bad_word(block, at);
+  if (read_word(at, "MOVE") == nullptr && read_word(at, "TURN") == nullptr && read_word(at, "STAY") == nullptr)
+    return bad_word(block, at);
+  if (tilts || turns(at))
+    return raise(block, initiator, AlarmCause::not_judged, "PLANE SPATIAL (tilted working plane) is not judged");
+  return free_text();
 }
 
-const char* BlockParser::assignment(Block& block, const char* at, bool locals) {
-  constexpr const char* kFormula = "a formula of Q parameters is not supported";
-  block.statement = Statement::assignment;
+// FN 18 reads what only a control knows: its parameter has no value here.
+const char* BlockParser::system_data(Block& block, const char* at) {
   const char* const word = at;
-  if (locals && upper(at[1]) == 'S' && is_digit(at[2]))
+  at = words(at, "SYSREAD");
+  if (at == nullptr) return bad_word(block, word);
+  Parameter target;
+  const char* const end = read_parameter(at, target);
+  if (end == nullptr) return bad_word(block, at);
+  parameters_.set(target, std::nullopt);
+  unknown_ = true;
+  return without_effect(block);
+}
+
+// Q = formula, FN 0 to FN 4 (`operation`: = 0 + - * /).
+const char* BlockParser::assignment(Block& block, const char* at, char operation) {
+  block.statement = Statement::assignment;
+  const bool formula = operation == '=';
+  const char* const word = at;
+  if (formula && upper(at[1]) == 'S' && is_digit(at[2]))
     return refuse(block, word, "QS (string parameters) is not supported");
   at = read_parameter(at, block.target);
-  if (at == nullptr || (block.target.kind != ParameterKind::q && !locals)) return bad_word(block, word);
+  if (at == nullptr || (block.target.kind != ParameterKind::q && !formula)) return bad_word(block, word);
   if (*at != '=') {
     if (!at_word_end(at)) return bad_word(block, word);
     at = gap(at);
     if (*at != '=') return bad_word(block, at);
   }
   at = gap(at + 1);
-  if (locals && begins_formula(at)) return refuse(block, at, kFormula);
-  at = keyed_value(block, at, 0, block.value);
-  if (at != nullptr && locals && is_operator(at)) return refuse(block, at, kFormula);
-  return at;
+  const char* const behind = read_value(at, block.value);
+  if (behind != nullptr && at_word_end(behind) && (operation == '0' || (formula && gap(behind) == text_.stop))) {
+    // A value alone stays as it is written.
+    parameters_.set(block.target, parameters_.value(block.value));
+    return gap(behind);
+  }
+  if (operation == '0') return bad_word(block, at);
+  const Formula found = formula ? read_formula(at, parameters_) : read_operation(at, operation, parameters_);
+  if (found.end == nullptr) return bad_word(block, at);
+  if (!found.value) return refuse(block, found.beyond_at, found.beyond);
+  parameters_.set(block.target, found.value);
+  block.value = {*found.value, {}};
+  return gap(found.end);
+}
+
+// A word whose value nobody knows here.
+bool BlockParser::takes_unknown(const Block& block) const {
+  const auto unknown = [this](const Value& value) { return !parameters_.value(value); };
+  const bool line = block.statement == Statement::line || block.statement == Statement::line_with_vectors;
+  const bool call = block.statement == Statement::tool_call;
+  if (line || block.statement == Statement::cycle)
+    for (std::size_t slot = 0; slot < block.axis.size(); ++slot)
+      if (block.has_axis(slot) && unknown(block.axis.at(slot))) return true;
+  if ((line || call) && block.feed == FeedWord::f && unknown(block.feed_value)) return true;
+  if (call)
+    for (const auto* delta : {&block.dl, &block.dr, &block.dr2})
+      if (*delta && unknown(**delta)) return true;
+  return false;
 }
 
 }  // namespace toolcomp::spec::klartext

@@ -21,7 +21,6 @@ constexpr auto kStatements = std::to_array<Named>({
     {"APPR", "", "APPR (approach of a contour) is not supported"},
     {"C", "", "C (circle) is not supported"},
     {"CALL", "SELECTED", "CALL SELECTED PGM is not supported"},
-    {"CC", "", "CC (centre of a circle, pole) is not supported"},
     {"CHF", "", "CHF (chamfer) is not supported"},
     {"CONTOUR", "DEF", "CONTOUR DEF is not supported"},
     {"CP", "", "CP (polar coordinates, helix) is not supported"},
@@ -38,20 +37,20 @@ constexpr auto kStatements = std::to_array<Named>({
     {"FPOL", "", "FPOL (free contour) is not supported"},
     {"FUNCTION", "DRESS", "FUNCTION DRESS is not supported"},
     {"FUNCTION", "FILE", "FUNCTION FILE is not supported"},
-    {"FUNCTION", "MODE", "FUNCTION MODE other than MILL is not supported"},
+    {"FUNCTION", "MODE", "FUNCTION MODE (other than MILL) is not supported"},
     {"FUNCTION", "PARAXCOMP", "FUNCTION PARAXCOMP (parallel axes) is not supported"},
     {"FUNCTION", "PARAXMODE", "FUNCTION PARAXMODE (parallel axes) is not supported"},
     {"FUNCTION", "POLARKIN", "FUNCTION POLARKIN (polar kinematics) is not supported"},
     {"FUNCTION", "TURNDATA", "FUNCTION TURNDATA (turning) is not supported"},
     {"LP", "", "LP (polar coordinates) is not supported"},
     {"PATTERN", "DEF", "PATTERN DEF is not supported"},
-    {"PLANE", "AXIAL", "PLANE AXIAL is not supported"},
-    {"PLANE", "EULER", "PLANE EULER is not supported"},
-    {"PLANE", "POINTS", "PLANE POINTS is not supported"},
-    {"PLANE", "PROJECTED", "PLANE PROJECTED is not supported"},
-    {"PLANE", "RELATIV", "PLANE RELATIV is not supported"},
-    {"PLANE", "RELATIVE", "PLANE RELATIVE is not supported"},
-    {"PLANE", "VECTOR", "PLANE VECTOR is not supported"},
+    {"PLANE", "AXIAL", "PLANE AXIAL (tilted working plane) is not judged"},
+    {"PLANE", "EULER", "PLANE EULER (tilted working plane) is not judged"},
+    {"PLANE", "POINTS", "PLANE POINTS (tilted working plane) is not judged"},
+    {"PLANE", "PROJECTED", "PLANE PROJECTED (tilted working plane) is not judged"},
+    {"PLANE", "RELATIV", "PLANE RELATIV (tilted working plane) is not judged"},
+    {"PLANE", "RELATIVE", "PLANE RELATIVE (tilted working plane) is not judged"},
+    {"PLANE", "VECTOR", "PLANE VECTOR (tilted working plane) is not judged"},
     {"POLARKIN", "", "POLARKIN (polar kinematics) is not supported"},
     {"PRESET", "CORR", "PRESET CORR is not supported"},
     {"PRESET", "COPY", "PRESET COPY is not supported"},
@@ -68,10 +67,6 @@ struct Numbered {
   const char* message;
 };
 constexpr auto kFunctions = std::to_array<Numbered>({
-    {1, "FN 1 (addition) is not supported"},
-    {2, "FN 2 (subtraction) is not supported"},
-    {3, "FN 3 (multiplication) is not supported"},
-    {4, "FN 4 (division) is not supported"},
     {5, "FN 5 (square root) is not supported"},
     {6, "FN 6 (sine) is not supported"},
     {7, "FN 7 (cosine) is not supported"},
@@ -84,7 +79,6 @@ constexpr auto kFunctions = std::to_array<Numbered>({
     {14, "FN 14 (error message) is not supported"},
     {15, "FN 15 (print) is not supported"},
     {16, "FN 16 (formatted print) is not supported"},
-    {18, "FN 18 (system data) is not supported"},
     {19, "FN 19 (values to the PLC) is not supported"},
     {20, "FN 20 (wait) is not supported"},
     {23, "FN 23 (circle from three points) is not supported"},
@@ -104,18 +98,18 @@ constexpr auto kMoving = std::to_array<Numbered>({
     {99, "M99 (cycle call) is not supported"},
     {140, "M140 (retraction along the tool axis) is not supported"},
 });
-// Those that change what others do: they are read, and nothing more.
-constexpr auto kPassedOver = std::to_array<Numbered>({
-    {94, "M94 (reduced display of rotary axes) is not supported"},
-    {97, "M97 (small contour steps) is not supported"},
-    {98, "M98 (open contour corners) is not supported"},
-    {103, "M103 (feed factor for plunging) is not supported"},
-    {114, "M114 (compensation of the machine geometry) is not supported"},
-    {120, "M120 (look-ahead of the radius compensation) is not supported"},
-    {124, "M124 (points that are left out) is not supported"},
-    {130, "M130 (positions in the untilted system) is not supported"},
-    {144, "M144 (compensation of the kinematics) is not supported"},
-    {197, "M197 (rounding of corners) is not supported"},
+// Those after which positions are not known.
+constexpr auto kNotJudged = std::to_array<Numbered>({
+    {114, "M114 (compensation of the machine geometry) is not judged"},
+    {124, "M124 (points that are left out) is not judged"},
+    {144, "M144 (compensation of the kinematics) is not judged"},
+});
+// Those that change corners of RL and RR, which have a path here under TCPM alone.
+constexpr auto kOfCorners = std::to_array<Numbered>({
+    {97, "M97 (small contour steps) is not judged"},
+    {98, "M98 (open contour corners) is not judged"},
+    {120, "M120 (look-ahead of the radius compensation) is not judged"},
+    {197, "M197 (rounding of corners) is not judged"},
 });
 
 // Cycles that act where they are defined.
@@ -129,6 +123,12 @@ constexpr auto kCycles = std::to_array<Numbered>({
     {224, "CYCL DEF 224 (pattern of a code) is not supported"},
     {800, "CYCL DEF 800 (turning: rotary coordinate system) is not supported"},
 });
+
+// Of a contour, with a path of their own only where there is no radius compensation (BlockParser::contour).
+bool is_beside_the_path(std::string_view statement) {
+  constexpr std::array<std::string_view, 6> kOfContours{"APPR", "C", "CHF", "CR", "CT", "RND"};
+  return std::ranges::find(kOfContours, statement) != kOfContours.end();
+}
 
 template <std::size_t count>
 const char* message_of(const std::array<Numbered, count>& table, std::uint64_t number) {
@@ -147,15 +147,6 @@ bool is_one_literal(const char* at, std::string_view key, std::uint64_t value, c
          (!number.negative || value == 0);
 }
 
-// FN 1 to FN 4 have a word +, -, * or DIV in their line.
-bool has_operator(const char* at) {
-  for (; *at != '\n' && *at != ';'; ++at)
-    if (is_blank(at[-1]) && (read_word(at, "DIV") != nullptr ||
-                             (std::string_view("+-*").find(*at) != std::string_view::npos && at_word_end(at + 1))))
-      return true;
-  return false;
-}
-
 // Behind the word, or behind a ~ that joins no lines.
 const char* word_end(const char* at) {
   if (*at == '~') return at + 1;
@@ -165,22 +156,99 @@ const char* word_end(const char* at) {
 
 }  // namespace
 
+// FN n: and FNn:.
+const char* BlockParser::numbered_function(Block& block, const char* at) {
+  const char* const function = gap(at + 2);
+  std::uint64_t number = 0;
+  const char* end = read_integer(function, std::numeric_limits<std::uint64_t>::max(), number);
+  if (end == nullptr || *end != ':') return bad_word(block, function);
+  end = gap(end + 1);
+  constexpr std::string_view kOperations = "0+-*/";
+  if (number < kOperations.size()) return assignment(block, end, kOperations[number]);
+  if (number == 18) return system_data(block, end);
+  const char* const message = message_of(kFunctions, number);
+  return message == nullptr ? bad_word(block, function) : refuse(block, at, message);
+}
+
 const char* BlockParser::refuse_by_name(Block& block, const char* at) {
-  if (const char* const function = words(at, "FN")) {
-    std::uint64_t number = 0;
-    const char* const end = read_integer(function, std::numeric_limits<std::uint64_t>::max(), number);
-    const bool whole = end != nullptr && *end == ':' && (number > 4 || has_operator(end));
-    const char* const message = whole ? message_of(kFunctions, number) : nullptr;
-    return message == nullptr ? bad_word(block, function) : refuse(block, at, message);
+  if (const char* const center = words(at, "CC")) {
+    const char* const end = contour_words(block, center);
+    return end == nullptr ? nullptr : end != text_.stop ? bad_word(block, end) : without_effect(block);
   }
   for (const Named& named : kStatements)
-    if (words(at, named.first, named.second) != nullptr) return refuse(block, at, named.message);
+    if (const char* const behind = words(at, named.first, named.second)) {
+      if (is_beside_the_path(named.first)) return contour(block, at, behind, named.message);
+      return raise(block, at, named.first == "PLANE" ? AlarmCause::not_judged : AlarmCause::not_supported,
+                   named.message);
+    }
   return bad_word(block, at);
+}
+
+// Axis words, the radius, length and sense of an arc, in any order: up to the first other word.
+const char* BlockParser::contour_words(Block& block, const char* at) {
+  block.axes = block.incremental = 0;
+  block.many_digits = false;
+  Value ignored;
+  for (;;) {
+    const char* const word = at;
+    const bool increment = upper(*at) == 'I';
+    const unsigned slot = slot_[static_cast<unsigned char>(at[increment ? 1 : 0])];
+    const char next = at[1];
+    if (slot != kNoSlot && read_word(at, "CCA") == nullptr && !(upper(*at) == 'C' && upper(next) == 'C')) {
+      if (block.has_axis(slot)) return bad_word(block, word);
+      at = keyed_value(block, at, increment ? 2 : 1, block.axis[slot]);
+      block.axes = static_cast<std::uint16_t>(block.axes | 1U << slot);
+      if (increment) block.incremental = static_cast<std::uint16_t>(block.incremental | 1U << slot);
+    } else if (upper(*at) == 'D' && upper(next) == 'R' && (at[2] == '+' || at[2] == '-') && at_word_end(at + 3)) {
+      at = gap(at + 3);
+    } else if (upper(*at) == 'R' && (next == '+' || next == '-' || next == '.' || upper(next) == 'Q' ||
+                                     (is_digit(next) && !(next == '0' && at_word_end(at + 2))))) {
+      at = keyed_value(block, at, 1, ignored);
+    } else if ((upper(*at) == 'L' && upper(next) == 'E' && upper(at[2]) == 'N') ||
+               (upper(*at) == 'C' && upper(next) == 'C' && upper(at[2]) == 'A')) {
+      at = keyed_value(block, at, 3, ignored);
+    } else {
+      return at;
+    }
+    if (at == nullptr) return nullptr;
+  }
+}
+
+// Under RL or RR without TCPM nothing of a contour is modelled but where its blocks end: arcs and approaches end as
+// lines do, and roundings and chamfers lie between two of them.
+const char* BlockParser::contour(Block& block, const char* at, const char* behind, const char* message) {
+  const char* const initiator = at;
+  const bool between = read_word(at, "RND") != nullptr || read_word(at, "CHF") != nullptr;
+  if (between && beside_ && !tcpm_) return without_effect(block);
+  if (between) return refuse(block, initiator, message);
+  at = behind;
+  if (read_word(initiator, "APPR") != nullptr) {
+    const char* form = nullptr;
+    for (const std::string_view each : {"LT", "LN", "CT", "LCT"})
+      if (form == nullptr) form = words(at, each);
+    if (form == nullptr) return refuse(block, initiator, message);
+    at = form;
+  }
+  at = contour_words(block, at);
+  if (at != nullptr) at = tail(block, at);
+  if (at != nullptr && at != text_.stop) at = bad_word(block, at);
+  if (!beside_ || tcpm_ || (at != nullptr && block.axes == 0)) return refuse(block, initiator, message);
+  if (at == nullptr) return nullptr;
+  block.statement = Statement::line;
+  return at;
+}
+
+// A text where positions are not known after an M function; nullptr where they are.
+const char* BlockParser::not_judged(std::uint64_t function) const {
+  const char* const corners = tcpm_ && beside_ ? message_of(kOfCorners, function) : nullptr;
+  return corners != nullptr ? corners : message_of(kNotJudged, function);
 }
 
 const char* BlockParser::words_of_function(Block& block, const char* at, std::uint64_t number, const char* function) {
   if (const char* const message = message_of(kMoving, number)) return refuse(block, function, message);
-  if (block.passed_over == nullptr) block.passed_over = message_of(kPassedOver, number);
+  if (const char* const message = not_judged(number)) return raise(block, function, AlarmCause::not_judged, message);
+  if (number == 94) renamed_ = ~0U;
+  if (number == 128 || number == 129) tcpm_ = number == 128;
   Value ignored;
   switch (number) {
     case 103:
@@ -217,7 +285,7 @@ const char* BlockParser::path_cycle(Block& block, const char* at) {
           Value angle;
           const char* const end = read_value(at + 1, angle);
           if (end != nullptr && (angle.number.digits != 0 || angle.parameter.kind != ParameterKind::none))
-            block.passed_over = "CYCL DEF 19 (working plane) is not supported";
+            return raise(block, at, AlarmCause::not_judged, "CYCL DEF 19 (tilted working plane) is not judged");
         }
         at = word_end(at);
       }
@@ -225,8 +293,9 @@ const char* BlockParser::path_cycle(Block& block, const char* at) {
     case 247:
       for (; at != text_.stop; at = gap(at)) {
         Value number;
-        if (std::string_view(at, 4) == "Q339" && at[4] == '=' && read_value(at + 5, number) != nullptr)
-          select_preset(block, number);
+        if (std::string_view(at, 4) == "Q339" && at[4] == '=' && read_value(at + 5, number) != nullptr &&
+            !is_first_preset(number))
+          return raise(block, at, AlarmCause::not_judged, "CYCL DEF 247 (another preset than the first) is not judged");
         at = word_end(at);
       }
       return free_text();
@@ -238,18 +307,20 @@ const char* BlockParser::path_cycle(Block& block, const char* at) {
 }
 
 // Positions count from the preset, so the first to be selected is that of the setup.
-void BlockParser::select_preset(Block& block, const Value& number) {
+bool BlockParser::is_first_preset(const Value& number) {
   if (!preset_) preset_ = number;
-  if (!(*preset_ == number)) block.passed_over = "another preset than the first is not supported";
+  return *preset_ == number;
 }
 
 // PRESET SELECT: #number, or a name in quotes.
 const char* BlockParser::preset(Block& block, const char* at) {
   Value number;
-  if (*at == '#' && read_value(at + 1, number) != nullptr)
-    select_preset(block, number);
-  else if (*at != '"')
+  if (*at == '#' && read_value(at + 1, number) != nullptr) {
+    if (!is_first_preset(number))
+      return raise(block, at, AlarmCause::not_judged, "PRESET SELECT (another preset than the first) is not judged");
+  } else if (*at != '"') {
     return bad_word(block, at);
+  }
   return without_effect(block);
 }
 

@@ -62,14 +62,14 @@ inline const char* read_long_number(const char* at, Decimal& value) {
       break;
     }
   }
-  if (count == 0 || (point && decimals == 0)) return nullptr;
+  if (count == 0) return nullptr;
   value.digits = digits;
   value.decimals = static_cast<std::uint8_t>(decimals);
   value.point = point;
   return at;
 }
 
-// [sign] digits [. digits] or [sign] . digits; a comma is a point.
+// [sign] digits [. [digits]] or [sign] . digits; a comma is a point.
 inline const char* read_number(const char* at, Decimal& value) {
   at = read_sign(at, value.negative);
   const Digits before = digits_at(at);
@@ -80,7 +80,7 @@ inline const char* read_number(const char* at, Decimal& value) {
     const Digits behind = digits_at(point + 1);
     if (behind.count > 7) [[unlikely]]
       return read_long_number(at, value);
-    if (behind.count == 0) return nullptr;
+    if (before.count + behind.count == 0) return nullptr;
     value.digits = before.number * kPowersOfTen[behind.count] + behind.number;
     value.decimals = static_cast<std::uint8_t>(behind.count);
     value.point = true;
@@ -116,15 +116,25 @@ inline const char* read_parameter(const char* at, Parameter& parameter) {
   return end;
 }
 
-// A number, or a parameter with or without sign.
+// A number, or a parameter with or without sign; blanks may stand before it and behind its sign.
 inline const char* read_value(const char* at, Value& value) {
   if (const char* const end = read_number(at, value.number)) [[likely]] {
     value.parameter = {};
     return end;
   }
-  value.number = {};
-  at = read_sign(at, value.number.negative);
-  return read_parameter(at, value.parameter);
+  const auto blanks = [&at] {
+    while (is_blank(*at)) ++at;
+  };
+  value = {};
+  blanks();
+  bool negative = false;
+  at = read_sign(at, negative);
+  blanks();
+  const char* end = nullptr;
+  if (is_digit(*at) || *at == '.' || *at == ',') end = read_number(at, value.number);
+  if (end == nullptr) end = read_parameter(at, value.parameter);
+  value.number.negative = negative;
+  return end;
 }
 
 }  // namespace toolcomp::spec::klartext

@@ -161,9 +161,35 @@ TEST(HeidenhainCalls, WhatIsNotSupportedSaysItsNameAndPlace) {
   std::ignore = folder.write("setup.toml", "control = \"heidenhain\"\n");
   const std::string program = folder.write("p.h", "L X1\n7 RND R2\n");
   const Outcome outcome = toolcomp("run " + program);
-  EXPECT_EQ(outcome.status, 0);
-  EXPECT_NE(outcome.err.find("p.h:2:3: E_UNSUPPORTED RND (rounding) is not supported"), std::string::npos)
-      << outcome.err;
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_NE(outcome.err.find("p.h:2:3: RND (rounding) is not supported"), std::string::npos) << outcome.err;
+}
+
+// Each verb says where it stops to judge, and how much it did not look at; none of them ends with 0.
+TEST(HeidenhainPrograms, WhatIsNotJudgedIsSaidByEveryVerb) {
+  const Folder folder;
+  std::ignore = folder.write("setup.toml",
+                             "control = \"heidenhain\"\naxes = [\"X\", \"Y\", \"Z\", \"A\", \"B\", \"C\"]\n"
+                             "[[tool]]\nnumber = 1\nR = 3\n");
+  const std::string tilted = folder.write(
+      "tilted.h", "TOOL CALL 1 Z\nL X+5 R0 F100\nPLANE SPATIAL SPA+0 SPB+45 SPC+0 TURN FMAX\nL X+6\nL X+7\n");
+  const std::string beside = folder.write("beside.h", "TOOL CALL 1 Z\nL X+5 RL F100\nL X+6\nL X+7 R0\n");
+  for (const char* verb : {"run --engine model ", "run --engine fast ", "run --format svg ", "diff ", "explain "}) {
+    const Outcome plane = toolcomp(verb + tilted);
+    EXPECT_EQ(plane.status, 3) << verb;
+    EXPECT_NE(plane.err.find("tilted.h:3:1: PLANE SPATIAL (tilted working plane) is not judged\n"
+                             "not looked at: 2 blocks after it\n"),
+              std::string::npos)
+        << verb << plane.err;
+    const Outcome open = toolcomp(verb + beside);
+    EXPECT_EQ(open.status, 3) << verb;
+    EXPECT_NE(open.err.find("beside.h:2:1: OUT_OF_SCOPE "), std::string::npos) << verb << open.err;
+    EXPECT_NE(open.err.find("not judged: 2 such moves\n"), std::string::npos) << verb << open.err;
+  }
+  const Outcome run = toolcomp("run " + tilted);
+  EXPECT_EQ(run.events().size(), 2U);
+  EXPECT_EQ(run.events().back().at("kind"), "not_judged");
+  EXPECT_EQ(run.events().back().at("code"), "PLANE SPATIAL");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "spec/language/event_names.h"
 #include "tests/golden/rows.h"
 
 namespace toolcomp::corpus::space {
@@ -75,6 +76,8 @@ std::string head(const spec::Event<Number>& event) {
   const std::string line = std::to_string(event.line) + ' ';
   if (event.kind == spec::EventKind::undecided)
     return line + (event.out_of_scope ? "OUT_OF_SCOPE" : std::string(event.number.view()));
+  if (event.kind != spec::EventKind::alarm && spec::ends_run(event.kind))
+    return line + std::string(spec::name(event.kind)) + ' ' + std::string(event.number.view());
   if (event.kind != spec::EventKind::move) return line + std::string(event.number.view());
   const std::string rapid = event.type == spec::MoveType::rapid ? "rapid " : "";
   switch (event.cause) {

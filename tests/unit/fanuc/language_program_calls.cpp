@@ -43,8 +43,8 @@ std::string order(std::unique_ptr<ByteSource> text, ReaderOptions told) {
   for (Block block; reader.next(block);) {
     shown += (shown.empty() ? "" : " ") + std::to_string(block.line);
     if (block.alarm)
-      return shown + '!' + toolcomp::test::usual_number(block.alarm->cause) + (block.alarm->beyond ? "?" : "") + '@' +
-             std::to_string(block.alarm->column);
+      return shown + '!' + toolcomp::test::usual_number(block.alarm->cause) +
+             (toolcomp::spec::beyond(block) != nullptr ? "?" : "") + '@' + std::to_string(block.alarm->column);
   }
   return shown;
 }
@@ -109,9 +109,9 @@ TEST(ProgramCalls, AlarmsOfCalls) {
 }
 
 TEST(ProgramCalls, BeyondThisProject) {
-  EXPECT_EQ(order("X1\nM99 P10\nN10 X2\n"), "1 2!PS0010?@1");
-  EXPECT_EQ(order("X1\nM99 L3\n"), "1 2!PS0010?@1");
-  EXPECT_EQ(order("M98 P2\nM30\nO2\nM99 L3\n"), "1 3 4!PS0010?@1");
+  EXPECT_EQ(order("X1\nM99 P10\nN10 X2\n"), "1 2!NOT_SUPPORTED?@1");
+  EXPECT_EQ(order("X1\nM99 L3\n"), "1 2!NOT_SUPPORTED?@1");
+  EXPECT_EQ(order("M98 P2\nM30\nO2\nM99 L3\n"), "1 3 4!NOT_SUPPORTED?@1");
 }
 
 TEST(ProgramCalls, M99OfTheMainProgramEndsIt) {
@@ -208,8 +208,7 @@ TEST(ProgramCalls, WhatMakesTooManyBlocksEnds) {
   Block block;
   while (reader.next(block) && !block.alarm) ++blocks;
   ASSERT_TRUE(block.alarm);
-  EXPECT_EQ(block.alarm->cause, toolcomp::spec::AlarmCause::program_too_long);
-  EXPECT_TRUE(block.alarm->beyond);
+  EXPECT_EQ(block.alarm->cause, toolcomp::spec::AlarmCause::not_supported);
   EXPECT_EQ(blocks, 1002U) << "a thousand, and two of the main program";
   // Who reads on past the alarm comes to an end as well: repeats in repeats would have none.
   EXPECT_FALSE(reader.next(block));

@@ -166,8 +166,8 @@ TEST(ProgramReader, AddressesAreThoseOfTheSetup) {
 }
 
 TEST(ProgramReader, OtherPrintableCharactersAreNoAddresses) {
-  for (const char c : R"x(!"#$&'),<=>?@[\]^_`{|}~*)x"sv)
-    EXPECT_EQ(alarm(std::string("X1 ") + c + "Y2"), "PS0004@4") << c;
+  for (const char c : R"x(!"$&'),<=>?@\]^_`{|}~*)x"sv) EXPECT_EQ(alarm(std::string("X1 ") + c + "Y2"), "PS0004@4") << c;
+  for (const char c : "#["sv) EXPECT_EQ(alarm(std::string("X1 ") + c + "Y2"), "NOT_SUPPORTED@4") << c;
 }
 
 TEST(ProgramReader, AnAlarmKeepsTheWordsBeforeItAndSkipsItsBlockOnly) {

@@ -217,8 +217,11 @@ TEST(ModelProgram, DwellWordsAreNoPositions) {
 }
 
 TEST(ModelProgram, UnknownCodes) {
-  for (const char* code : {"G06", "G38", "G43.6", "G41.4", "G30.2", "G54.2", "G43.51", "G68", "G999999999"})
+  for (const char* code : {"G06", "G43.6", "G30.2", "G43.51", "G999999999"})
     EXPECT_EQ(moves(std::string("X1\n") + code + " X2\n"), (Lines{"1 rapid X1 Y0 Z0 C0", "2 PS0010"})) << code;
+  for (const char* code : {"G38", "G41.4", "G54.2", "G68"})
+    EXPECT_EQ(moves(std::string("X1\n") + code + " X2\n"), (Lines{"1 rapid X1 Y0 Z0 C0", "2 " + std::string(code)}))
+        << code;
   EXPECT_EQ(moves("G1.0 X1\nG030.10 X0\n").size(), 3U);  // the value counts, not the spelling
 }
 
@@ -231,7 +234,8 @@ TEST(ModelProgram, AnAlarmEndsTheRun) {
 }
 
 TEST(ModelProgram, OrderOfAlarms) {
-  EXPECT_EQ(moves("G68 H401\n"), (Lines{"1 PS0010"}));
+  EXPECT_EQ(moves("G77.7 H401\n"), (Lines{"1 PS0010"}));
+  EXPECT_EQ(moves("H401 G68\n"), (Lines{"1 G68"}));
   EXPECT_EQ(moves("G43.5 G28 X0 H401\n"), (Lines{"1 PS0030"}));
   EXPECT_EQ(moves("G43.5 G28 X0 Q1\n"), (Lines{"1 FORBIDDEN_UNDER_TOOL_DIRECTION"}));
   EXPECT_EQ(moves("G43 H1\nG43.5 Q1\n", "[offsets.H]\n1 = 1\n").back(), "2 LENGTH_OFFSET_EXCLUSION");

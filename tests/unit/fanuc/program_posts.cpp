@@ -10,8 +10,8 @@
 #include <string>
 
 #include "fuzz/oracle/trial.h"
+#include "spec/language/alarm.h"
 #include "spec/language/byte_source.h"
-#include "spec/language/fanuc/not_supported.h"
 #include "spec/language/fanuc/program_files.h"
 #include "spec/language/fanuc/program_reader.h"
 #include "spec/language/setup_format.h"
@@ -28,26 +28,24 @@ struct NotSupported {
   std::string at;
   std::string says;
 };
-const std::string kVariables = "custom macro variables and expressions are not supported";
-const std::string kStatements = "custom macro statements (IF, WHILE, GOTO and the like) are not supported";
 const std::map<std::string, NotSupported> kNotSupported = {
     {"bolt_circle_polar", {"G16", "G16 (polar coordinate command) is not supported"}},
-    {"corner_rounding", {",R5", ",R and ,C (corner rounding, chamfering) are not supported"}},
+    {"corner_rounding", {",R5", ",R (corner rounding) is not supported"}},
     {"fusion360_drilling", {"G81", "G81 (drilling, a canned cycle) is not supported"}},
-    {"hand_loop_while", {"WHILE", kStatements}},
-    {"head_jump", {"IF", kStatements}},
+    {"hand_loop_while", {"WHILE", "WHILE (a macro statement) is not supported"}},
+    {"head_jump", {"IF", "IF (a macro statement) is not supported"}},
     {"mirror_image", {"G51.1", "G51.1 (programmable mirror image) is not supported"}},
     {"nx_probing_macro", {"G65", "G65 (macro call) is not supported"}},
     {"nx_tilted_plane", {"G68.2", "G68.2 (tilted working plane) is not supported"}},
     {"rigid_tapping", {"G84", "G84 (tapping, a canned cycle) is not supported"}},
-    {"siemens_nx_variables", {"#101", kVariables}},
+    {"siemens_nx_variables", {"#101", "# (a macro variable set after the program has begun) is not supported"}},
 };
 
 // The first block of which something is not supported.
 std::optional<spec::Block> first_not_supported(const spec::Case& c) {
   spec::ProgramReader reader(spec::text_source(c.program), c.setup.axes);
   for (spec::Block block; reader.next(block);)
-    if (spec::not_supported(block) != nullptr) return block;
+    if (spec::beyond(block) != nullptr) return block;
   return {};
 }
 
@@ -81,20 +79,19 @@ TEST(ProgramPosts, BothEnginesAgreeAndTheUnsupportedSaysItsName) {
     const auto expected = kNotSupported.find(name);
     const model::Event& last = trial.run.events.back();
     if (expected == kNotSupported.end()) {
-      EXPECT_FALSE(block) << spec::not_supported(*block);
+      EXPECT_FALSE(block) << spec::beyond(*block);
       EXPECT_EQ(last.kind, spec::EventKind::move) << last.line << ' ' << last.number.view() << ' ' << last.message;
       continue;
     }
     ++not_supported;
     ASSERT_TRUE(block);
-    EXPECT_EQ(spec::not_supported(*block), expected->second.says);
-    EXPECT_EQ(last.kind, spec::EventKind::alarm);
+    EXPECT_EQ(spec::beyond(*block), expected->second.says);
+    EXPECT_EQ(last.kind, spec::EventKind::not_supported);
     EXPECT_EQ(last.message, expected->second.says);
     EXPECT_EQ(last.line, block->line);
-    const std::uint32_t column = block->alarm ? block->alarm->column : spec::word_not_supported(*block)->column;
     const std::size_t at = text.find(expected->second.at);
     ASSERT_NE(at, std::string::npos);
-    EXPECT_EQ(std::to_string(block->line) + ':' + std::to_string(column), place(text, at));
+    EXPECT_EQ(std::to_string(block->line) + ':' + std::to_string(block->alarm->column), place(text, at));
   }
   EXPECT_EQ(programs, 34U);
   EXPECT_EQ(not_supported, kNotSupported.size());

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/word_at_fault.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "spec/language/printable.h"
+
+namespace toolcomp::cli {
+namespace {
+
+constexpr std::size_t kLongest = 40;  // characters of a word that are shown
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+char upper(char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); }
+
+// The letter O beside a digit or a point, or after the letter of an address.
+bool has_letter_o(std::string_view word) {
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    if (upper(word[i]) != 'O') continue;
+    const auto numeric = [](char c) { return is_digit(c) || c == '.' || c == '+' || c == '-' || c == ','; };
+    if (i > 0 && numeric(word[i - 1])) return true;
+    if (i == 1 && is_letter(word[0]) && (word.size() == 2 || numeric(word[2]) || is_letter(word[2]))) return true;
+  }
+  return false;
+}
+
+bool has_decimal_comma(std::string_view word) {
+  for (std::size_t i = 1; i + 1 < word.size(); ++i)
+    if (word[i] == ',' && is_digit(word[i - 1]) && is_digit(word[i + 1])) return true;
+  return false;
+}
+
+// X+5Y+6: a letter right after a digit.
+bool runs_on(std::string_view word) {
+  for (std::size_t i = 1; i < word.size(); ++i)
+    if (is_letter(word[i]) && is_digit(word[i - 1])) return true;
+  return false;
+}
+
+// A ; before that place, outside parentheses.
+bool after_semicolon(std::string_view before) {
+  bool comment = false;
+  for (const char c : before) {
+    comment = c == '(' || (comment && c != ')');
+    if (c == ';' && !comment) return true;
+  }
+  return false;
+}
+
+// `at`: the character of the word that cannot be read; `before`: what stands before the word.
+std::string_view meant_in_fanuc(std::string_view word, char at, std::string_view before) {
+  if (after_semicolon(before)) return "; ends a block; a comment stands in ( )";
+  if (has_letter_o(word)) return "the letter O; the digit 0 may be meant";
+  if (has_decimal_comma(word) || at == ',') return "a comma; numbers have a point";
+  if (at == ')') return "a ) without a (";
+  if (at == ']' || at == '}' || at == '{') return "a stray bracket";
+  if (at == '=') return "a = without a macro variable before it";
+  if (!word.empty() && is_digit(word[0])) return "a number without its letter";
+  return {};
+}
+
+std::string_view meant_in_klartext(std::string_view word) {
+  if (word.size() > 1 && upper(word[0]) == 'G' && is_digit(word[1])) return "a G code, in a Klartext program";
+  if (has_letter_o(word)) return "the letter O; the digit 0 may be meant";
+  if (std::ranges::count_if(word, [](char c) { return c == '.' || c == ','; }) > 1) return "a second decimal point";
+  if (runs_on(word)) return "words stand between blanks";
+  if (word.starts_with('(')) return "a comment begins with ;";
+  if (word.starts_with(')') || word.starts_with(']') || word.starts_with('[')) return "a stray bracket";
+  if (!word.empty() && (is_digit(word[0]) || word[0] == '+' || word[0] == '-')) return "a number without its letter";
+  return {};
+}
+
+std::string line_of(std::istream& text, std::uint64_t number) {
+  std::string line;
+  for (std::uint64_t i = 0; i < number; ++i)
+    if (!std::getline(text, line)) return {};
+  return line;
+}
+
+}  // namespace
+
+std::string word_at_fault(std::string_view line, std::uint64_t column, spec::Control control) {
+  if (column == 0 || column > line.size()) return {};
+  const bool klartext = control == spec::Control::heidenhain;
+  auto begin = static_cast<std::size_t>(column - 1);
+  // The number that a fault stands in belongs to it, with its letter.
+  const char at = line[begin];
+  const bool in_number = !klartext && (!is_letter(at) || upper(at) == 'O');
+  if (in_number) {
+    const auto of_number = [](char c) { return is_digit(c) || c == '.' || c == '+' || c == '-' || upper(c) == 'O'; };
+    while (begin > 0 && of_number(line[begin - 1])) --begin;
+    if (begin > 0 && is_letter(line[begin - 1])) --begin;
+  }
+  std::size_t end = begin;
+  while (end < line.size() && !is_blank(line[end])) ++end;
+  const std::string_view word = line.substr(begin, std::min(end - begin, kLongest));
+  if (word.empty()) return {};
+  const std::string_view meant = klartext ? meant_in_klartext(word) : meant_in_fanuc(word, at, line.substr(0, begin));
+  std::string text = '"' + spec::printable(word) + '"';
+  if (!meant.empty()) text.append(": ").append(meant);
+  return text;
+}
+
+std::optional<CodeAt> code_not_allowed(std::string_view line) {
+  constexpr std::array<std::string_view, 21> kCodes{"10", "28", "29",   "30", "30.1", "37", "39",
+                                                    "41", "42", "45",   "46", "47",   "48", "52",
+                                                    "53", "54", "54.1", "55", "56",   "57", "58"};
+  bool comment = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    comment = line[i] == '(' || (comment && line[i] != ')');
+    if (comment || upper(line[i]) != 'G') continue;
+    std::size_t end = i + 1;
+    while (end < line.size() && (is_digit(line[end]) || line[end] == '.')) ++end;
+    std::string_view number = line.substr(i + 1, end - i - 1);
+    while (number.size() > 1 && number[0] == '0') number.remove_prefix(1);
+    if (std::ranges::find(kCodes, number) != kCodes.end() || number == "59" || number == "92")
+      return CodeAt{"G" + std::string(number), i + 1};
+  }
+  return std::nullopt;
+}
+
+std::string text_of_line(const Program& program, std::uint64_t line) {
+  if (program.is_case()) {
+    std::istringstream text(program.as_case().program);
+    return line_of(text, line);
+  }
+  const Place place = program.place(line);
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(place.file, none)) return {};
+  std::ifstream text(place.file, std::ios::binary);
+  return line_of(text, place.line);
+}
+
+}  // namespace toolcomp::cli

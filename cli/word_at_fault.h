@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// The word at which a block cannot be read, and what may have been meant by it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "cli/program.h"
+#include "spec/language/setup.h"
+
+namespace toolcomp::cli {
+
+// `"X1,5": a decimal comma; numbers have a point`; without a likely meaning the word alone. `line`: the text of the
+// line that is at fault; `column`: where, in bytes from 1.
+std::string word_at_fault(std::string_view line, std::uint64_t column, spec::Control control);
+// The code of the block that G43.4 and G43.5 do not allow (clause fanuc.tool-center-point.forbidden), and its column in
+// bytes from 1; nothing where the line has none.
+struct CodeAt {
+  std::string code;
+  std::uint64_t column = 0;
+};
+std::optional<CodeAt> code_not_allowed(std::string_view line);
+// A line of the text that is read; empty where the text cannot be read again.
+std::string text_of_line(const Program& program, std::uint64_t line);
+
+}  // namespace toolcomp::cli
