@@ -45,7 +45,8 @@ class Notes {
     }
     moved(event.line, event.cause, event.type, programmed, point);
   }
-  // Those since the last call.
+  // Those since the last call, where there are any.
+  [[nodiscard]] bool wait() const { return !waiting_.empty(); }
   std::vector<Note> take();
   // What is said of all, after the end.
   [[nodiscard]] std::vector<Note> summary() const;

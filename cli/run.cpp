@@ -119,7 +119,7 @@ class Printer final : public spec::EventSink<Number> {
     begin();
     if (with_notes_) {
       notes_.on(event, [](const Number& value) { return nearest(value); });
-      say(notes_.take());
+      if (notes_.wait()) say(notes_.take());
     }
     if (format_ == Format::gcode && program_.samples() > 1)
       print_inside(event);
@@ -136,7 +136,7 @@ class Printer final : public spec::EventSink<Number> {
     recent_.add(block);
     if (!with_notes_) return;
     notes_.read(block);
-    say(notes_.take());
+    if (notes_.wait()) say(notes_.take());
   }
   void reading(const spec::klartext::Block& block) {
     recent_.add(block);

@@ -44,7 +44,7 @@ def example(section, comment):
 def said(event):
     """Where an event leads, in one cell."""
     if event["kind"] != "move":
-        return html.escape(event.get("number") or event["setting"])
+        return html.escape(event.get("number") or event.get("code") or event["name"])
     places = [f"{axis}{value:.4f}".rstrip("0").rstrip(".") for axis, value in event["axes"].items()]
     return " ".join(places).replace("-0 ", "0 ")
 
@@ -53,7 +53,7 @@ def by_line(case):
     with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
         json.dump(case, file)
         file.flush()
-        events = [json.loads(line) for line in toolcomp("run", file.name, "--format", "jsonl", "--digits", "9").splitlines()]
+        events = [json.loads(line) for line in toolcomp("run", file.name, "--digits", "9", "--notes", "off").splitlines()]
     lines = {}
     for event in events:
         lines.setdefault(event["line"], []).append(said(event))

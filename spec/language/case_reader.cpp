@@ -98,6 +98,9 @@ Reply read_reply(std::string_view line, const Axes& axes, const std::string& fil
   if (events == nullptr) read.fail(root.at, "reply: without events");
   read.expect(*events, Kind::array, "events");
   for (const Node& item : events->items) {
+    // A note is for people, and no event of a run.
+    const Node* const kind = item.kind == Kind::table ? item.find("kind") : nullptr;
+    if (kind != nullptr && kind->kind == Kind::string && kind->text == "note") continue;
     EventWithFields each = event_from(item, read, axes, Strictness::of_replies);
     reply.events.push_back(std::move(each.event));
     reply.fields.push_back(each.fields);

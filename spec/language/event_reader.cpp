@@ -210,7 +210,7 @@ class EventReader {
 
   AlarmCause alarm_cause(const Node& node) const {
     const std::optional<AlarmCause> cause = find_alarm(read_.string(node, "cause"));
-    if (!cause || is_beyond(*cause))
+    if (!cause)
       read_.fail(node.at,
                  "cause: " + in_quotes(node.text) + " is no cause of an alarm (`toolcomp spec alarms` lists them)");
     return *cause;

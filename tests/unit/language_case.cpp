@@ -256,6 +256,11 @@ TEST(Reply, MaySayThatTheCaseDoesNotApply) {
   EXPECT_EQ(reply.not_applicable, "no such axis");
   EXPECT_TRUE(reply.events.empty());
   // Beside events it is a field like others that are unknown.
+  EXPECT_EQ(read_reply(R"({"id":"7","events":[{"kind":"note","line":1,"text":"x"},{"kind":"move","line":2}]})",
+                       Axes("XYZ"), "reply")
+                .events.size(),
+            1U)
+      << "notes are passed over";
   EXPECT_EQ(read_reply(R"({"id":"7","events":[],"not_applicable":"x"})", Axes("XYZ"), "reply").not_applicable, "");
   for (const char* line : {R"({"id":"7","not_applicable":""})", R"({"id":"7","not_applicable":1})",
                            R"({"not_applicable":"x"})", R"({"id":"7"})"})
