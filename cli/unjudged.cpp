@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -14,7 +15,17 @@
 namespace toolcomp::cli {
 namespace {
 
-// Blocks after the first one that is not followed; nothing where the program cannot be read again.
+bool ends_program(const spec::Block& block) {
+  return std::ranges::any_of(block.words(), [](const spec::Word& word) {
+    return word.address == 'M' && (word.value.digits == 2 || word.value.digits == 30);
+  });
+}
+bool ends_program(const spec::klartext::Block& block) {
+  return block.statement == spec::klartext::Statement::end_program;
+}
+
+// Blocks after the first one that is not followed, up to the end of the program; nothing where the program cannot be
+// read again.
 std::optional<std::uint64_t> blocks_left(const Program& program) {
   const fuzz::StreamedProgram text = program.text();
   if (text.once) return std::nullopt;
@@ -26,6 +37,7 @@ std::optional<std::uint64_t> blocks_left(const Program& program) {
     try {
       while (reader.next(*block)) {
         left += beyond ? 1 : 0;
+        if (beyond && ends_program(*block)) break;
         beyond = beyond || spec::beyond(*block) != nullptr;
       }
     } catch (const spec::InputError&) {  // NOLINT(bugprone-empty-catch)

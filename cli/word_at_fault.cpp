@@ -26,7 +26,7 @@ bool has_letter_o(std::string_view word) {
     if (upper(word[i]) != 'O') continue;
     const auto numeric = [](char c) { return is_digit(c) || c == '.' || c == '+' || c == '-' || c == ','; };
     if (i > 0 && numeric(word[i - 1])) return true;
-    if (i == 1 && is_letter(word[0]) && (word.size() == 2 || numeric(word[2]) || is_letter(word[2]))) return true;
+    if (i == 1 && is_letter(word[0]) && (word.size() == 2 || numeric(word[2]))) return true;
   }
   return false;
 }
@@ -54,8 +54,18 @@ bool after_semicolon(std::string_view before) {
   return false;
 }
 
+// ( ( ) before that place: the inner ) ended the comment.
+bool after_nested_comment(std::string_view before) {
+  const std::size_t close = before.rfind(')');
+  if (close == std::string_view::npos) return false;
+  const std::string_view comment = before.substr(0, close);
+  const std::size_t before_it = comment.rfind(')');
+  return std::ranges::count(comment.substr(before_it == std::string_view::npos ? 0 : before_it), '(') > 1;
+}
+
 // `at`: the character of the word that cannot be read; `before`: what stands before the word.
 std::string_view meant_in_fanuc(std::string_view word, char at, std::string_view before) {
+  if (after_nested_comment(before)) return "the comment ends at its first ); there are no comments in comments";
   if (after_semicolon(before)) return "; ends a block; a comment stands in ( )";
   if (has_letter_o(word)) return "the letter O; the digit 0 may be meant";
   if (has_decimal_comma(word) || at == ',') return "a comma; numbers have a point";

@@ -55,6 +55,7 @@ TEST(SpoiledPrograms, Fanuc) {
       {"G01 X5]", "2:7", {"PS0004", "\"X5]\""}},
       {"G01 X=5.", "2:5", {"PS0005", "\"X=5.\""}},
       {"G01 X5. Z", "2:9", {"PS0005", "\"Z\""}},
+      {"M6 (A (NESTED) COMMENT)", "2:16", {"PS0009", "\"COMMENT)\"", "no comments in comments"}},
       {"G77.7 X5.", "2:1", {"PS0010 there is no such G code"}},
   };
   for (const Spoiled& row : rows) expect_told(folder, "p.nc", "G90 G17 G40 F100", row);

@@ -27,7 +27,8 @@ struct Outcome {
 };
 
 Outcome read(std::unique_ptr<ByteSource> source, bool block_skip) {
-  ProgramReader reader(std::move(source), Axes(kAxes), {.file = "p", .block_skip = block_skip});
+  ProgramReader reader(std::move(source), Axes(kAxes),
+                       {.file = "p", .block_skip = block_skip, .called_program = {}, .most_repeated = 1000});
   Outcome outcome;
   Block block;
   try {

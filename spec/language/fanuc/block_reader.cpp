@@ -279,6 +279,9 @@ bool BlockReader::read_word(Block& block, char letter) {
   }
   if (letter == 'G')
     if (const char* const what = code_not_supported(value)) return raise(block, start, AlarmCause::not_supported, what);
+  if (letter == 'M' && value.digits == 198)
+    return raise(block, start, AlarmCause::not_supported,
+                 "M198 (call of a program in another memory) is not supported");
   if (letter == 'M' && (value.digits == 98 || value.digits == 99)) jump_ = value.digits == 98 ? Jump::call : Jump::back;
   block.word[block.size++] = {letter, value, start};
   return true;

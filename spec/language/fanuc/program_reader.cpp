@@ -49,7 +49,7 @@ struct ProgramReader::State {
   std::vector<std::unique_ptr<BlockReader>> spare;  // of calls that have ended: a reader is large
   std::uint64_t called_blocks = 0;
   std::optional<Block> found;  // by M99 P: it comes next
-  bool too_long = false;       // behind the block that is said to be too much none comes
+  bool over = false;           // no block comes any more
 };
 
 bool ProgramReader::State::read(Block& block) {
@@ -157,22 +157,26 @@ ProgramReader& ProgramReader::operator=(ProgramReader&&) noexcept = default;
 
 bool ProgramReader::next(Block& block) {
   State& state = *state_;
-  if (state.too_long) [[unlikely]]
+  if (state.over) [[unlikely]]
     return false;
+  // An end, be it by an exception, is that of all programs.
+  state.over = true;
   if (state.calls.empty() && !state.found) [[likely]] {
     if (!state.main.next(block)) return false;
   } else if (!state.read(block)) {
     return false;
   }
+  bool too_many = false;
   if (!state.calls.empty()) [[unlikely]] {
     state.calls.back().empty = false;
-    state.too_long = ++state.called_blocks > state.options.most_repeated;
-    if (state.too_long)
+    too_many = ++state.called_blocks > state.options.most_repeated;
+    if (too_many)
       block.alarm = ReadAlarm{AlarmCause::not_supported, 1,
                               "M98 (more blocks of programs called than are followed) is not supported"};
   }
   if (state.reader().jump() != BlockReader::Jump::none && !block.alarm) [[unlikely]]
     state.follow(block);
+  state.over = too_many;
   return true;
 }
 

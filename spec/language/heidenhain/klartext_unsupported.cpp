@@ -126,7 +126,7 @@ constexpr auto kCycles = std::to_array<Numbered>({
 
 // Of a contour, with a path of their own only where there is no radius compensation (BlockParser::contour).
 bool is_beside_the_path(std::string_view statement) {
-  constexpr std::array<std::string_view, 6> kOfContours{"APPR", "C", "CHF", "CR", "CT", "RND"};
+  constexpr std::array<std::string_view, 7> kOfContours{"APPR", "C", "CHF", "CR", "CT", "DEP", "RND"};
   return std::ranges::find(kOfContours, statement) != kOfContours.end();
 }
 
@@ -222,10 +222,11 @@ const char* BlockParser::contour(Block& block, const char* at, const char* behin
   if (between && beside_ && !tcpm_) return without_effect(block);
   if (between) return refuse(block, initiator, message);
   at = behind;
-  if (read_word(initiator, "APPR") != nullptr) {
-    const char* form = nullptr;
-    for (const std::string_view each : {"LT", "LN", "CT", "LCT"})
-      if (form == nullptr) form = words(at, each);
+  const bool departs = read_word(initiator, "DEP") != nullptr;
+  if (departs || read_word(initiator, "APPR") != nullptr) {
+    const char* form = words(at, "LCT");  // of the departures the one that says where it ends
+    for (const std::string_view each : {"LT", "LN", "CT"})
+      if (form == nullptr && !departs) form = words(at, each);
     if (form == nullptr) return refuse(block, initiator, message);
     at = form;
   }

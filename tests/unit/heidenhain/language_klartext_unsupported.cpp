@@ -84,9 +84,10 @@ TEST(KlartextUnsupported, SystemData) {
 
 // Under RL or RR without TCPM, where lines are out of scope, arcs and approaches end as lines do.
 TEST(KlartextUnsupported, ContoursBesideThePath) {
-  for (const char* text : {"L X1 RL\nCR X+5 Y+5 R-10 DR+ F100 M3", "L X1 RR\nCT X+5 Y+5", "L X1 RL\nC X+5 IY+5 DR-",
-                           "APPR LCT X+5 Y+5 Z-3 R2 RL F100", "APPR LT X+5 Y+5 LEN10 RR",
-                           "APPR CT X+5 Y+5 CCA90 R+7 RL", "L X1 RL\nRND R5 F20", "L X1 RL\nCHF 2", "CC X+0 Y+0", "CC"})
+  for (const char* text :
+       {"L X1 RL\nCR X+5 Y+5 R-10 DR+ F100 M3", "L X1 RR\nCT X+5 Y+5", "L X1 RL\nC X+5 IY+5 DR-",
+        "APPR LCT X+5 Y+5 Z-3 R2 RL F100", "APPR LT X+5 Y+5 LEN10 RR", "APPR CT X+5 Y+5 CCA90 R+7 RL",
+        "L X1 RL\nDEP LCT X+5 Y+5 R2 F100", "L X1 RL\nRND R5 F20", "L X1 RL\nCHF 2", "CC X+0 Y+0", "CC"})
     EXPECT_EQ(said(text), "read") << text;
   EXPECT_EQ(said("L X1 R0\nCR X+5 Y+5 R10 DR+\n"), "2:1 CR (circle by its radius) is not supported");
   EXPECT_EQ(said("L X1 RL\nCR X+5 Y+5 R10 DR+ R0\n"), "2:1 CR (circle by its radius) is not supported");
