@@ -76,6 +76,36 @@ TEST(Trials, JudgeAxesTurnedFromFar) {
   EXPECT_LE(worst("point"), 1.5);
 }
 
+// The fast engine has to say where a run ends, at what, and of which kind: each of them is judged.
+TEST(Trials, TheEndWithoutAnAlarmIsJudged) {
+  for (const bool klartext : {false, true}) {
+    spec::Case c;
+    c.setup.control = klartext ? spec::Control::heidenhain : spec::Control::fanuc;
+    c.setup.axes = spec::Axes("XYZ");
+    c.program = klartext ? "L X+1 R0 F100\nPLANE SPATIAL SPA+0 SPB+45 SPC+0 TURN\nL X+3\n"
+                         : "G01 X1 F100\nG81 X2 Z-5 R1\nG01 X3\n";
+    const ModelRun run = run_model(c);
+    const std::vector<fast::Event> right = run_fast(c);
+    ASSERT_EQ(right.size(), 2U);
+    const Verdict v = judge(c, run, right);
+    EXPECT_EQ(v.outcome, Outcome::agrees);
+    EXPECT_TRUE(v.beyond);
+    const auto differs = [&](auto change) {
+      std::vector<fast::Event> events = right;
+      change(events);
+      return judge(c, run, events).outcome == Outcome::differs;
+    };
+    EXPECT_TRUE(differs([](auto& events) { events.back().number = "G82"; }));
+    EXPECT_TRUE(differs([](auto& events) { events.back().line = 3; }));
+    EXPECT_TRUE(differs([](auto& events) { events.back().kind = spec::EventKind::alarm; }));
+    EXPECT_TRUE(differs([&](auto& events) {
+      events.back().kind = klartext ? spec::EventKind::not_supported : spec::EventKind::not_judged;
+    }));
+    EXPECT_TRUE(differs([](auto& events) { events.pop_back(); }));
+    EXPECT_TRUE(differs([](auto& events) { events.push_back(events.front()); }));
+  }
+}
+
 // A drilling cycle is not known here: of a controller what goes before it is judged, and nothing it does from there on.
 TEST(Trials, EndWhereAControllerIsNotKnown) {
   spec::Case c;

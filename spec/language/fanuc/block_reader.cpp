@@ -279,6 +279,11 @@ bool BlockReader::read_word(Block& block, char letter) {
   }
   if (letter == 'G')
     if (const char* const what = code_not_supported(value)) return raise(block, start, AlarmCause::not_supported, what);
+  if (letter == 'L' && value.decimals == 0 && (value.digits == 3 || (value.digits >= 50 && value.digits <= 52)) &&
+      std::ranges::any_of(block.words(), [](const Word& word) {
+        return word.address == 'G' && word.value.decimals == 0 && word.value.digits == 10;
+      }))
+    return raise(block, start, AlarmCause::not_supported, "G10 L (tool life and parameters) is not supported");
   if (letter == 'M' && value.digits == 198)
     return raise(block, start, AlarmCause::not_supported,
                  "M198 (call of a program in another memory) is not supported");
@@ -458,8 +463,8 @@ bool BlockReader::read_usual_words(Block& block) {
   for (;;) {
     const char letter = upper(*at);
     const Address& admitted = address_[static_cast<unsigned char>(letter)];
-    // M may call a program.
-    if (!admitted.known || letter == 'M' || block.size == Block::kMaxWords) break;
+    // M may call a program, and what G10 writes is by L.
+    if (!admitted.known || letter == 'M' || letter == 'L' || block.size == Block::kMaxWords) break;
     Decimal value;
     const char* const end = read_usual(at + 1, admitted, value);
     if (end == nullptr) break;

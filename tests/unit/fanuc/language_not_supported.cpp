@@ -44,6 +44,9 @@ TEST(NotSupported, CodesSayTheirName) {
   EXPECT_EQ(said("G90 G16"), "5 G16 (polar coordinate command) is not supported");
   EXPECT_EQ(said("G68 G51"), "1 G68 (coordinate system rotation) is not supported") << "the first one";
   EXPECT_EQ(said("G05.4 Q1"), "1 G05.4 (hold of high precision control) is not supported");
+  EXPECT_EQ(said("G90 G10 L50"), "9 G10 L (tool life and parameters) is not supported");
+  EXPECT_EQ(said("G10 P1 L3"), "8 G10 L (tool life and parameters) is not supported");
+  EXPECT_EQ(said("G10 L2 P1 X5\nM98 P1 L50"), "PS0076@1");
   EXPECT_EQ(said("M198 P1"), "1 M198 (call of a program in another memory) is not supported");
   EXPECT_EQ(said("G81\nX1"), "read") << "of the last block alone";
   for (const char* code : {"G77.7", "G01", "G80", "G69", "G5.1", "G8.1", "G681", "G6.82", "G68.22", "G68000"})
