@@ -185,7 +185,7 @@ TEST(ModelProgram, OffsetMemoryRanges) {
 }
 
 TEST(ModelProgram, WritesThatCannotBe) {
-  for (const char* block : {"G10 P1 R1", "G10 L3 P1 R1", "G10 L10 P1 R1", "G10 L12 P1 R1"})
+  for (const char* block : {"G10 P1 R1", "G10 L4 P1 R1", "G10 L10 P1 R1", "G10 L12 P1 R1"})
     EXPECT_EQ(moves(std::string(block) + "\n"), (Lines{"1 PS0010"})) << block;
   for (const char* block : {"G10 L11 R1", "G10 L11 P0 R1", "G10 L11 P401 R1", "G10 L11 P1.5 R1", "G10 L11 P-1 R1"})
     EXPECT_EQ(moves(std::string(block) + "\n"), (Lines{"1 PS0031"})) << block;

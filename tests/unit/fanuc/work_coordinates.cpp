@@ -127,7 +127,7 @@ TEST(WorkCoordinates, NumbersOfNoOrigin) {
   for (const char* block : {"G10 L2 P7 X1", "G10 L2 X1", "G10 L2 P-1 X1", "G10 L2 P1.5 X1", "G10 L20 P0 X1",
                             "G10 L20 P49 X1", "G10 L20 X1", "G10 L2 P7", "G10 L2 P1000000"})
     EXPECT_EQ(last(block), "1 PS0031") << block;
-  for (const char* block : {"G10 L3 P1 X1", "G10 P1 X1", "G10 L200 P1 X1"}) EXPECT_EQ(last(block), "1 PS0010") << block;
+  for (const char* block : {"G10 L4 P1 X1", "G10 P1 X1", "G10 L200 P1 X1"}) EXPECT_EQ(last(block), "1 PS0010") << block;
 }
 
 // The same path in cutter compensation, whatever its points are called: the corner lies behind the block that renames.
