@@ -83,7 +83,7 @@ void Notes::read(const spec::Block& block) {
     add(kNoRadius, block.line, fmt::format("G{} without a D other than 0: the radius is 0", side));
   const bool origin = l != nullptr && l->value.decimals == 0 && (l->value.digits == 2 || l->value.digits == 20);
   if (data && !origin && r == nullptr) add(kG10, block.line, "G10 without R");
-  if (machine && incremental_) add(kMachine, block.line, "G53 under G91: it takes absolute positions of the machine");
+  if (machine && incremental_) add(kMachine, block.line, "G53 under G91 is ignored, and its axis words with it");
   if (!data && axis && cutting_ && !feed_given_) {
     const auto at_start = setup_.parameter(1411);
     if (at_start && !at_start->is_zero())
