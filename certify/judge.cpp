@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "certify/exactly.h"
+#include "certify/program_text.h"
 #include "fuzz/oracle/policy.h"
 #include "fuzz/oracle/trial.h"
 #include "spec/language/printable.h"
@@ -16,6 +17,16 @@ namespace {
 
 constexpr const char* kNoValue = "the program makes no value that is judged";
 constexpr const char* kLeftOutWhole = "every value rests on clauses that are left out";
+
+// Of the blocks of a program, counted as lines with words.
+std::string share_judged(std::string_view program, std::uint64_t before_line) {
+  std::size_t end = 0;
+  for (std::uint64_t line = 1; line < before_line && end < program.size(); ++line)
+    end = std::min(program.find('\n', end), program.size() - 1) + 1;
+  const std::size_t judged = count_blocks(program.substr(0, end));
+  const std::size_t all = count_blocks(program);
+  return fmt::format("; {} of {} blocks were judged ({} %)", judged, all, all == 0 ? 0 : 100 * judged / all);
+}
 
 // The last clause among those of the events before and at `last`; where none was applied, a move is wrong that is
 // nothing but its block's own.
@@ -194,7 +205,9 @@ Judgement judged_answer(const Capabilities& capabilities, const spec::Case& c, c
 
 Judgement judge_answer(const Capabilities& capabilities, const spec::Case& c, const fuzz::ModelRun& run,
                        const Answer& answer) {
-  return shown(judged_answer(capabilities, c, run, answer));
+  Judgement j = shown(judged_answer(capabilities, c, run, answer));
+  if (j.result == Result::partly_judged && j.verdict.beyond) j.why += share_judged(c.program, j.verdict.beyond->line);
+  return j;
 }
 
 Judgement judged(fuzz::Verdict verdict) {

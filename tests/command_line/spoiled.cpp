@@ -61,6 +61,18 @@ TEST(SpoiledPrograms, Fanuc) {
   for (const Spoiled& row : rows) expect_told(folder, "p.nc", "G90 G17 G40 F100", row);
 }
 
+// The code that G43.4 does not allow is named, with its place.
+TEST(SpoiledPrograms, CodesUnderToolCenterPointControl) {
+  const Folder folder;
+  std::ignore =
+      folder.write("setup.toml",
+                   "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\", \"B\", \"C\"]\n[parameters]\n"
+                   "\"19680\" = 2\n\"19681\" = 5\n\"19682\" = 3\n\"19686\" = 4\n\"19687\" = 2\n[offsets.H]\n1 = 100\n");
+  expect_told(folder, "p.nc", "G90 G17 (G53)",
+              {"G43.4 H1 X0 G54 F100", "2:13", {"FORBIDDEN_UNDER_TOOL_DIRECTION", "do not allow: G54"}});
+  expect_told(folder, "p.nc", "G43.4 H1 X0", {"G053", "2:1", {"FORBIDDEN_UNDER_TOOL_DIRECTION", "do not allow: G53"}});
+}
+
 TEST(SpoiledPrograms, Klartext) {
   const Folder folder;
   std::ignore = folder.write(

@@ -186,6 +186,11 @@ TEST(HeidenhainPrograms, WhatIsNotJudgedIsSaidByEveryVerb) {
     EXPECT_NE(open.err.find("beside.h:2:1: OUT_OF_SCOPE "), std::string::npos) << verb << open.err;
     EXPECT_NE(open.err.find("not judged: 2 such moves\n"), std::string::npos) << verb << open.err;
   }
+  const Outcome certified = toolcomp("certify --controller '" TOOLCOMP_BINARY_DIR "/toolcomp serve --engine fast' " +
+                                     tilted + " --report " + folder.path("report"));
+  EXPECT_EQ(certified.status, 3) << certified.err;
+  EXPECT_NE((certified.out + certified.err).find("2 of 5 blocks were judged (40 %)"), std::string::npos)
+      << certified.out << certified.err;
   const Outcome run = toolcomp("run " + tilted);
   EXPECT_EQ(run.events().size(), 2U);
   EXPECT_EQ(run.events().back().at("kind"), "not_judged");
