@@ -14,6 +14,7 @@
 #include "spec/language/case_format.h"
 #include "spec/language/event_format.h"
 #include "spec/language/event_map.h"
+#include "spec/language/fanuc/not_supported.h"
 #include "spec/language/fanuc/program_reader.h"
 #include "spec/language/input_error.h"
 #include "spec/language/number_text.h"
@@ -42,11 +43,21 @@ std::string any_text(const std::string& alphabet) {
   return *rc::gen::container<std::string>(rc::gen::elementOf(alphabet));
 }
 
+// A word that a block keeps, whatever stands beside it: it calls no program, and is none that is not supported.
+bool is_plain(const Word& word) {
+  const std::uint64_t number = word.value.digits;
+  if (word.address == 'G') return code_not_supported(word.value) == nullptr;
+  if (word.address == 'M') return number != 98 && number != 99 && number != 198;
+  return word.address != 'L' || (number != 3 && (number < 50 || number > 52));
+}
+
 Word any_word() {
   const char address = *rc::gen::elementOf(std::string("GMOFSTDHPQRLIJKXYZBC"));
   const bool no_sign = std::string_view("GMOTDHL").find(address) != std::string_view::npos;
   const bool no_point = std::string_view("MOTDHL").find(address) != std::string_view::npos;
-  return {address, any_decimal(15, !no_sign, !no_point), 0};
+  Word word{address, any_decimal(15, !no_sign, !no_point), 0};
+  while (!is_plain(word)) word.value = any_decimal(15, !no_sign, !no_point);
+  return word;
 }
 
 Block any_block() {
