@@ -84,7 +84,7 @@ void tell(const Program& program, const RecentBlocks& recent, const spec::Event<
     const std::string word = word_at_fault(text_of_line(program, at.line), at.column, program.setup().control);
     if (!word.empty()) text += ", " + word;
   } else if (event.alarm == spec::AlarmCause::forbidden_under_tool_direction) {
-    if (const auto found = code_not_allowed(text_of_line(program, at.line))) {
+    if (const auto found = code_not_allowed(text_of_line(program, at.line), program.setup().axes)) {
       text += ": " + found->code;
       column = found->column;
     }

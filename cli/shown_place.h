@@ -3,11 +3,17 @@
 #pragma once
 
 #include <cstdint>
+#include <iosfwd>
 #include <string>
 
 #include "spec/language/input_error.h"
 
 namespace toolcomp::cli {
+
+// A line by its number from 1, without its line feed; empty where there is none, and of a file that cannot be read
+// again, such as standard input.
+std::string line_of(std::istream& text, std::uint64_t number);
+std::string line_of(const std::string& file, std::uint64_t number);
 
 // Readers count bytes (spec/language/document.h); this is the same place in characters. A file that cannot be read
 // again, such as standard input, keeps its bytes.

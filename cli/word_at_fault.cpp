@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 
+#include "cli/shown_place.h"
+#include "spec/language/byte_source.h"
+#include "spec/language/fanuc/program_reader.h"
 #include "spec/language/printable.h"
 
 namespace toolcomp::cli {
@@ -87,13 +88,6 @@ std::string_view meant_in_klartext(std::string_view word) {
   return {};
 }
 
-std::string line_of(std::istream& text, std::uint64_t number) {
-  std::string line;
-  for (std::uint64_t i = 0; i < number; ++i)
-    if (!std::getline(text, line)) return {};
-  return line;
-}
-
 }  // namespace
 
 std::string word_at_fault(std::string_view line, std::uint64_t column, spec::Control control) {
@@ -118,21 +112,18 @@ std::string word_at_fault(std::string_view line, std::uint64_t column, spec::Con
   return text;
 }
 
-std::optional<CodeAt> code_not_allowed(std::string_view line) {
-  constexpr std::array<std::string_view, 21> kCodes{"10", "28", "29",   "30", "30.1", "37", "39",
-                                                    "41", "42", "45",   "46", "47",   "48", "52",
-                                                    "53", "54", "54.1", "55", "56",   "57", "58"};
-  bool comment = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    comment = line[i] == '(' || (comment && line[i] != ')');
-    if (comment || upper(line[i]) != 'G') continue;
-    std::size_t end = i + 1;
-    while (end < line.size() && (is_digit(line[end]) || line[end] == '.')) ++end;
-    std::string_view number = line.substr(i + 1, end - i - 1);
-    while (number.size() > 1 && number[0] == '0') number.remove_prefix(1);
-    if (std::ranges::find(kCodes, number) != kCodes.end() || number == "59" || number == "92")
-      return CodeAt{"G" + std::string(number), i + 1};
-  }
+std::optional<CodeAt> code_not_allowed(std::string_view line, const spec::Axes& axes) {
+  constexpr std::array<std::uint64_t, 23> kTenths{100, 280, 290, 300, 301, 370, 390, 410, 420, 450, 460, 470,
+                                                  480, 520, 530, 540, 541, 550, 560, 570, 580, 590, 920};
+  spec::ProgramReader reader(spec::text_source(line), axes);
+  spec::Block block;
+  while (reader.next(block))
+    for (const spec::Word& word : block.words()) {
+      const std::uint64_t tenths = word.value.decimals == 0 ? word.value.digits * 10 : word.value.digits;
+      if (word.address != 'G' || word.value.decimals > 1 || std::ranges::find(kTenths, tenths) == kTenths.end())
+        continue;
+      return CodeAt{"G" + spec::to_string(word.value), word.column};
+    }
   return std::nullopt;
 }
 
@@ -142,10 +133,7 @@ std::string text_of_line(const Program& program, std::uint64_t line) {
     return line_of(text, line);
   }
   const Place place = program.place(line);
-  std::error_code none;
-  if (!std::filesystem::is_regular_file(place.file, none)) return {};
-  std::ifstream text(place.file, std::ios::binary);
-  return line_of(text, place.line);
+  return line_of(place.file, place.line);
 }
 
 }  // namespace toolcomp::cli

@@ -21,7 +21,7 @@ struct CodeAt {
   std::string code;
   std::uint64_t column = 0;
 };
-std::optional<CodeAt> code_not_allowed(std::string_view line);
+std::optional<CodeAt> code_not_allowed(std::string_view line, const spec::Axes& axes);
 // A line of the text that is read; empty where the text cannot be read again.
 std::string text_of_line(const Program& program, std::uint64_t line);
 

@@ -97,7 +97,7 @@ void BlockReader::begin(std::unique_ptr<ByteSource> bytes, std::uint64_t first_l
 bool BlockReader::next(Block& block) {
   while (!done_)
     if (read_block(block)) {
-      variables_.follow(block);
+      if (variables_.may_be_set()) variables_.follow(block);
       return true;
     }
   return false;

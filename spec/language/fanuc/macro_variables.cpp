@@ -7,7 +7,6 @@
 namespace toolcomp::spec {
 
 void MacroVariables::follow(const Block& block) {
-  if (!may_be_set_) return;
   may_be_set_ = std::ranges::all_of(block.words(), [](const Word& word) {
     return std::string_view("GMSTFO").find(word.address) != std::string_view::npos;
   });

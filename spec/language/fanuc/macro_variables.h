@@ -27,6 +27,7 @@ class MacroVariables {
   }
   // False from the first block on that has a word other than G, M, S, T, F and O: what is set later may be read ahead.
   [[nodiscard]] bool may_be_set() const { return may_be_set_; }
+  // The next block, while may_be_set().
   void follow(const Block& block);
 
  private:
