@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 
+#include "certify/sort_by.h"
 #include "corpus/sha256.h"
 #include "fuzz/gen/generator.h"
 
@@ -98,7 +98,7 @@ std::vector<std::pair<spec::Clause, std::uint64_t>> left_out_for(const Certifica
   for (const SectionResult& s : certificate.sections)
     for (const auto& [clause, events] : s.left_out_for) sums[clause] += events;
   std::vector<std::pair<spec::Clause, std::uint64_t>> list(sums.begin(), sums.end());
-  std::ranges::stable_sort(list, std::ranges::greater{}, &std::pair<spec::Clause, std::uint64_t>::second);
+  sort_by(list, [](const auto& clause) { return ~clause.second; });  // most events first
   return list;
 }
 
