@@ -22,6 +22,7 @@ Theirs same(Ours ours) {
 }
 static_assert(static_cast<int>(spec::EventKind::undecided) == TOOLCOMP_UNDECIDED);
 static_assert(static_cast<int>(spec::EventKind::not_judged) == TOOLCOMP_NOT_JUDGED);
+static_assert(static_cast<int>(spec::EventKind::hole) == TOOLCOMP_HOLE);
 static_assert(static_cast<int>(spec::EventKind::sample) == TOOLCOMP_SAMPLE);
 static_assert(static_cast<int>(spec::MoveType::arc) == TOOLCOMP_ARC);
 static_assert(static_cast<int>(spec::Cause::measure) == TOOLCOMP_MEASURE);
@@ -79,6 +80,9 @@ void CallbackSink::on(const fast::Event& event) {
   out.number = number.c_str();
   out.message = event.message;
   out.alarm = event.alarm == spec::AlarmCause::none ? "" : info(event.alarm).name.data();
+  out.point_r = event.hole ? event.hole->point_r : kNone;
+  out.bottom = event.hole ? event.hole->bottom : kNone;
+  out.level = event.hole ? event.hole->level : kNone;
   out.value = setting ? event.value : kNone;
   on_event_(user_, &out);
 }

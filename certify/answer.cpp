@@ -22,6 +22,7 @@ std::span<const Field> fields_of(spec::EventKind kind) {
   static constexpr std::array sample{Field::t};
   static constexpr std::array alarm{Field::number};
   static constexpr std::array setting{Field::name, Field::value};
+  static constexpr std::array hole{Field::r, Field::bottom, Field::level};
   static constexpr std::array undecided{Field::permitted};
   switch (kind) {
     case spec::EventKind::move:
@@ -33,6 +34,8 @@ std::span<const Field> fields_of(spec::EventKind kind) {
       return alarm;
     case spec::EventKind::setting:
       return setting;
+    case spec::EventKind::hole:
+      return hole;
     case spec::EventKind::undecided:
       return undecided;
     case spec::EventKind::not_supported:

@@ -38,11 +38,15 @@ FieldSet fields_of(const model::Event& event) {
       fields.add({Field::type, Field::cause});
       add_if(fields, !event.programmed.empty(), Field::programmed);
       if (event.arc) add_arc(fields, *event.arc);
+      add_if(fields, event.unknown != 0, Field::unknown);
       if (event.space) add_space(fields, *event.space);
       add_if(fields, event.feed.has_value(), Field::feed);
       break;
     case EventKind::sample:
       fields.add(Field::t);
+      break;
+    case EventKind::hole:
+      fields.add({Field::r, Field::bottom, Field::level});
       break;
     case EventKind::alarm:
     case EventKind::warning:

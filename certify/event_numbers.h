@@ -31,6 +31,11 @@ void for_each_number(const spec::Event<Number>& event, const spec::Axes& axes, c
     axis_values("center", event.arc->center);
     if (event.arc->sweep) visit("sweep", '\0', *event.arc->sweep);
   }
+  if (event.hole) {
+    visit("r", '\0', event.hole->point_r);
+    visit("bottom", '\0', event.hole->bottom);
+    visit("return", '\0', event.hole->level);
+  }
   if (event.feed) visit("feed", '\0', *event.feed);
   if (event.kind == spec::EventKind::setting) visit("value", '\0', event.value);
   if (!event.space) return;

@@ -76,6 +76,27 @@ bool finite(const Point3& p) {
   return std::ranges::all_of(p, [](double x) { return std::isfinite(x); });
 }
 
+// Beside the level where the tool stands, down to the bottom, and back to the level of return.
+void add_hole(Path& path, Point3& at, const spec::Axes& axes, const spec::Event<double>& event, PathOf what,
+              std::size_t index) {
+  const spec::Hole<double>& hole = *event.hole;
+  const std::string_view letters(kLetters.data(), kLetters.size());
+  const std::size_t along = letters.find(axes.letter(hole.axis));
+  if (along == std::string_view::npos) return;
+  const bool of_axes = what == PathOf::axes && event.axes.has(hole.axis);
+  Point3 over = moved(axes, at, of_axes ? event.axes : event.point);
+  const double length = of_axes ? event.axes[hole.axis] - hole.level : 0;
+  PathMove move;
+  move.event = index;
+  for (const double level : {at.at(along), hole.bottom + length, hole.level + length}) {
+    over.at(along) = level;
+    move.points.push_back(over);
+  }
+  if (!std::ranges::all_of(move.points, finite)) return;
+  path.moves.push_back(std::move(move));
+  at = over;
+}
+
 }  // namespace
 
 bool same_course(const Path& a, const Path& b) {
@@ -93,6 +114,11 @@ Path follow(const spec::Axes& axes, const Point3& start, std::span<const spec::E
     const spec::Event<double>& event = events[i];
     if (event.kind == spec::EventKind::sample && !position(event, what).empty())
       sampled.push_back(moved(axes, sampled.empty() ? at : sampled.back(), position(event, what)));
+    if (event.hole) {
+      add_hole(path, at, axes, event, what, i);
+      tool = at;
+      continue;
+    }
     if (event.kind != spec::EventKind::move || position(event, what).empty()) continue;
     const Point3 end = moved(axes, at, position(event, what));
     PathMove move;

@@ -34,6 +34,16 @@ class Notes {
   template <class Number, class Nearest>
   void on(const spec::Event<Number>& event, Nearest nearest) {
     radii_.on(event, nearest);
+    if (event.hole) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t axis = axes_.index("XYZ"[i]);
+        if (axis == event.hole->axis)
+          programmed_.at(i) = nearest(event.hole->level);
+        else if (axis != spec::Axes::kNone && event.point.has(axis))
+          programmed_.at(i) = nearest(event.point[axis]);
+      }
+      point_ = programmed_;
+    }
     if (event.kind != spec::EventKind::move) return;
     Place programmed{};
     Place point{};

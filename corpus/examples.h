@@ -38,6 +38,7 @@ std::span<const Example> tool_length_measurement_examples();
 std::span<const Example> tool_length_measurement_rules();
 std::span<const Example> tool_offset_examples();
 std::span<const Example> tool_offset_rules();
+std::span<const Example> canned_cycle_examples();
 std::span<const Example> cutter_compensation_b_examples();
 std::span<const Example> cutter_compensation_b_rules();
 std::span<const Example> cutter_compensation_c_examples();

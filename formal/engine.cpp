@@ -19,7 +19,8 @@ namespace toolcomp::formal {
 bool available() { return true; }
 
 std::vector<std::string> sections() {
-  return {"fanuc/cutter-compensation-b",
+  return {"fanuc/canned-cycle",
+          "fanuc/cutter-compensation-b",
           "fanuc/cutter-compensation-c",
           "fanuc/leading-edge-offset",
           "fanuc/tool-center-point-control",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "formal/events.h"
@@ -46,7 +47,7 @@ void read_move(Event& event, const List& data, const spec::Axes& axes) {
   if (const List& tool = data.at(10).list(); !tool.empty()) event.tool_axis = vector_of(tool[0]);
 }
 
-enum EventOf : std::int64_t { kMoves, kSetting, kRaised, kNotDecided, kWarned, kSampled };
+enum EventOf : std::int64_t { kMoves, kSetting, kRaised, kNotDecided, kWarned, kSampled, kDrilled };
 
 void read_sample(Event& event, const List& data, const spec::Axes& axes) {
   event.kind = spec::EventKind::sample;
@@ -55,6 +56,18 @@ void read_sample(Event& event, const List& data, const spec::Axes& axes) {
   event.point = linear_positions(data.at(4), axes);
   event.axes = positions(data.at(5), axes);
   event.tool_axis = vector_of(data.at(6));
+}
+
+// `point` is told of the linear axes but the drilling axis, whose place comes last.
+void read_hole(Event& event, const List& data, const spec::Axes& axes) {
+  event.kind = spec::EventKind::hole;
+  const auto drilled = static_cast<std::size_t>(data.at(7).integer());
+  const List& point = data.at(2).list();
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (spec::is_linear_axis(axes.letter(i)) && i != drilled) event.point.set(i, point.at(next++).number());
+  event.hole = {drilled, data.at(3).number(), data.at(4).number(), data.at(5).number()};
+  event.axes = positions(data.at(6), axes);
 }
 
 }  // namespace
@@ -67,6 +80,9 @@ spec::Event<exact::Real> fanuc_event(const List& data, const spec::Axes& axes) {
       break;
     case kSampled:
       read_sample(event, data, axes);
+      break;
+    case kDrilled:
+      read_hole(event, data, axes);
       break;
     case kSetting:
       event.kind = spec::EventKind::setting;

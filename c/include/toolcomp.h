@@ -67,7 +67,8 @@ typedef enum toolcomp_event_kind {
   TOOLCOMP_SETTING = 4,
   TOOLCOMP_UNDECIDED = 5,
   TOOLCOMP_NOT_SUPPORTED = 6,
-  TOOLCOMP_NOT_JUDGED = 7
+  TOOLCOMP_NOT_JUDGED = 7,
+  TOOLCOMP_HOLE = 8
 } toolcomp_event_kind;
 typedef enum toolcomp_move_type { TOOLCOMP_RAPID = 0, TOOLCOMP_LINEAR = 1, TOOLCOMP_ARC = 2 } toolcomp_move_type;
 typedef enum toolcomp_cause {
@@ -125,6 +126,12 @@ typedef struct toolcomp_event {
   double normal[3];
 
   const char* alarm; /* alarms: the cause, the same for all series: "interference"; else "" */
+
+  /* holes, which also have point (the linear axes but the drilling axis) and axes (behind the hole): coordinates along
+   * the drilling axis */
+  double point_r;
+  double bottom;
+  double level; /* to which the tool returns */
 } toolcomp_event;
 
 /* Called for each event, in order. It must not call the engine it was called by, nor leave by longjmp. */

@@ -36,6 +36,7 @@ class Programmed : public model::EventSink, public model::MotionSink {
   }
   void on(const model::Event& exact) override {
     if (exact.kind == spec::EventKind::undecided) decided_ = false;
+    if (exact.hole) decided_ = false;  // what the axes do there is the cycle's
     if (exact.kind != spec::EventKind::move) return;
     // Turns of the work-side axis before and behind a block are made for the tool's sake alone.
     if (exact.cause == spec::Cause::pre_turn || exact.cause == spec::Cause::post_turn) return;

@@ -41,7 +41,7 @@ std::vector<std::string> end_of(const fuzz::ModelRun& run) {
   constexpr int kDigits = 12;
   std::vector<std::string> end;
   for (const model::Event& event : run.events) {
-    if (event.kind != spec::EventKind::move) continue;
+    if (event.kind != spec::EventKind::move && !event.hole) continue;
     end.clear();
     for (const spec::NumberText& value : certify::in_text(event, kDigits).axes.value) end.push_back(value.v);
   }
@@ -104,9 +104,11 @@ std::string CaseRunner::end_of_case(const fuzz::ModelRun& run, const CaseLines& 
 
 std::string CaseRunner::shown(const fuzz::ModelRun& run, const CaseLines& lines, CaseRun& result) const {
   if (!outside_travels(machine_, run.events).empty()) return "outside the travels";
+  if (std::ranges::any_of(run.events, [](const model::Event& event) { return event.unknown != 0; }))
+    return "a position is not known";
   if (decides_near_a_tie(run.recorder)) return "a decision lies too near its boundary";
   const bool moves = std::ranges::any_of(run.events, [&](const model::Event& event) {
-    return event.kind == spec::EventKind::move && inside(lines, event.line);
+    return (event.kind == spec::EventKind::move || event.hole) && inside(lines, event.line);
   });
   if (result.stop &&
       (result.stop->cause == spec::AlarmCause::unknown_code || result.stop->cause == spec::AlarmCause::g10_kind))

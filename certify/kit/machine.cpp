@@ -34,6 +34,14 @@ class Passed {
 
   void take(const spec::Event<double>& event) {
     using enum spec::EventKind;
+    if (event.hole) {
+      for (const double level : {event.hole->point_r, event.hole->bottom})
+        reach(event.hole->axis, event.axes[event.hole->axis] + level - event.hole->level);
+      for (std::size_t i = 0; i < axes_.size(); ++i)
+        if (event.axes.has(i)) reach(i, event.axes[i]);
+      last_ = event.axes;
+      in_samples_ = false;
+    }
     if (event.kind != move && event.kind != sample) return;
     steps(event);
     for (std::size_t i = 0; i < axes_.size(); ++i)

@@ -24,6 +24,12 @@ Trail::Trail(std::span<const model::Event> events, double tolerance) : tolerance
   constexpr int kParts = 8;
   for (const model::Event& exact : events) {
     const spec::Event<double> event = certify::in_double(exact);
+    if (event.hole && event.axes.has(event.hole->axis)) {
+      Point bottom = event.axes;
+      bottom.value[event.hole->axis] += event.hole->bottom - event.hole->level;
+      add(bottom);
+      add(event.axes);
+    }
     if (event.kind != spec::EventKind::move && event.kind != spec::EventKind::sample) continue;
     if (event.arc && !corners_.empty() && event.arc->sweep) {
       // Turning between both ends about the centre is enough to tell ways apart: the ends are those of the arc.

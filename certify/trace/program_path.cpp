@@ -142,6 +142,12 @@ void ProgramPath::Run::on(const model::Event& event) {
   if (closed_) return;
   switch (event.kind) {
     case spec::EventKind::move:
+    case spec::EventKind::hole:
+      if (event.unknown != 0) {
+        closed_ = true;
+        undecided_ = "line " + std::to_string(event.line) + " leaves the axes where nobody knows";
+        break;
+      }
       given_.push_back({event.line, event.n, std::exchange(motion_, {}), event});
       break;
     case spec::EventKind::alarm:
@@ -259,11 +265,13 @@ bool ProgramPath::Run::begin(const Given& given, PathPiece& piece) {
     if (event.axes.has(i)) axes_.at(i) = event.axes[i];
     point_.at(i) = event.point.has(i) ? event.point[i] : axes_.at(i);
   }
+  if (event.hole) point_.at(event.hole->axis) = event.hole->level;
   end_ = place(axes_);
   piece_ = {};
   piece_.line = given.line;
   piece_.n = given.n;
-  piece_.free = !options_.judge_rapids && event.type == spec::MoveType::rapid;
+  // What happens at a hole is the business of its cycle: its end alone is judged.
+  piece_.free = event.hole || (!options_.judge_rapids && event.type == spec::MoveType::rapid);
   std::optional<CurveBound> bound = piece_.free ? std::nullopt : bend(given, from, points);
   if (bound) {
     curve_.emplace(Curve{Chords(*std::move(bound), most_), given.motion.inside, from, {}});

@@ -49,7 +49,7 @@ std::map<MoveKey, std::size_t> moves_of(Events events) {
   std::map<MoveKey, std::size_t> moves;
   std::map<std::uint64_t, std::size_t> count;
   for (std::size_t i = 0; i < events.size(); ++i)
-    if (events[i].kind == spec::EventKind::move) moves[{events[i].line, count[events[i].line]++}] = i;
+    if (events[i].kind == spec::EventKind::move || events[i].hole) moves[{events[i].line, count[events[i].line]++}] = i;
   return moves;
 }
 
@@ -69,6 +69,10 @@ std::string words(const spec::Event<double>& event) {
       const std::string type = event.type == spec::MoveType::arc ? "arc" : std::string(name(event.type)) + " move";
       return event.cause == spec::Cause::programmed ? type : type + ", " + std::string(name(event.cause));
     }
+    case spec::EventKind::hole:
+      return event.hole
+                 ? fmt::format("hole to {}, return to {}", plain(event.hole->bottom, 9), plain(event.hole->level, 9))
+                 : "hole";
     case spec::EventKind::setting:
       return fmt::format("{} becomes {}", event.setting.view(), plain(event.value, 9));
     default:
@@ -151,7 +155,7 @@ class ViewData {
       add("programmed", programmed, i);
       add("point", point, i);
       add("axes", axes, i);
-      if (event.kind == spec::EventKind::move)
+      if (event.kind == spec::EventKind::move || event.hole)
         if (const auto found = others.find({event.line, count[event.line]++}); found != others.end())
           add("other", other, found->second);
       if (i < run_.clauses.size())

@@ -13,6 +13,7 @@ std::span<const ExampleFile> example_files() {
       ExampleFile{"fanuc/tool-length-measurement", "rules", tool_length_measurement_rules()},
       ExampleFile{"fanuc/tool-offset", "examples", tool_offset_examples()},
       ExampleFile{"fanuc/tool-offset", "rules", tool_offset_rules()},
+      ExampleFile{"fanuc/canned-cycle", "examples", canned_cycle_examples()},
       ExampleFile{"fanuc/cutter-compensation-b", "examples", cutter_compensation_b_examples()},
       ExampleFile{"fanuc/cutter-compensation-b", "rules", cutter_compensation_b_rules()},
       ExampleFile{"fanuc/cutter-compensation-c", "examples", cutter_compensation_c_examples()},

@@ -166,9 +166,22 @@ void write_klartext_move(Row& row, const TextEvent& event, const spec::Axes& axe
   write_feed(row, event);
 }
 
+// As tell_hole of FanucCase.v. The drilling axis is the linear one that `point` lacks.
+void write_hole(Row& row, const TextEvent& event, const spec::Axes& axes) {
+  const spec::Hole<NumberText>& hole = event.hole.value();
+  std::size_t drilled = 0;
+  while (drilled < axes.size() && (!spec::is_linear_axis(axes.letter(drilled)) || event.point.has(drilled))) ++drilled;
+  row.axes(event.point, axes, true);
+  row.number(hole.point_r);
+  row.number(hole.bottom);
+  row.number(hole.level);
+  row.axes(event.axes, axes, false);
+  row.whole(drilled);
+}
+
 // The kinds of both dialects, by their places.
 void write_event(Row& row, const TextEvent& event, const spec::Case& c) {
-  enum Kind : std::size_t { kMove, kSettingOrWarning, kAlarm, kUndecided, kOther, kSample };
+  enum Kind : std::size_t { kMove, kSettingOrWarning, kAlarm, kUndecided, kOther, kSample, kHole };
   const bool fanuc = c.dialect == "fanuc";
   switch (event.kind) {
     case EventKind::move:
@@ -182,6 +195,10 @@ void write_event(Row& row, const TextEvent& event, const spec::Case& c) {
       row.axes(event.point, c.setup.axes, true);
       row.axes(event.axes, c.setup.axes, false);
       row.vector(event.tool_axis.value());
+      break;
+    case EventKind::hole:
+      row.whole(kHole);
+      write_hole(row, event, c.setup.axes);
       break;
     case EventKind::setting:
       row.whole(kSettingOrWarning);

@@ -10,11 +10,12 @@ import tomllib
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 TOOLCOMP = os.environ.get("TOOLCOMP", str(ROOT / "build/release/toolcomp"))
 
-# The twelve sections in the order of the manuals: path, title, formal file of its definitions and theorems.
+# The sections in the order of the manuals: path, title, formal file of its definitions and theorems.
 SECTIONS = [
     ("fanuc/tool-length-offset", "Tool length offset", "ToolLengthOffset"),
     ("fanuc/tool-length-measurement", "Tool length measurement", "ToolLengthMeasurement"),
     ("fanuc/tool-offset", "Tool offset", "ToolOffset"),
+    ("fanuc/canned-cycle", "Canned cycles", "CannedCycle"),
     ("fanuc/cutter-compensation-b", "Cutter compensation B", "CutterCompensationB"),
     ("fanuc/cutter-compensation-c", "Cutter compensation C", "CutterCompensationC"),
     ("fanuc/tool-side-compensation", "Tool side compensation", "ToolSideCompensation"),

@@ -22,7 +22,8 @@ class Moves {
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] std::size_t axes() const { return axes_; }
   // What axis i of the setup is sent to: workpiece coordinates, setup units, degrees.
-  // No number: the move does not name it (a rotary axis of a Klartext program without a word in the block).
+  // No number: the move does not say it (of Klartext programs: a rotary axis without a word in the block, an axis whose
+  // position is unknown).
   [[nodiscard]] std::span<const double> axis(std::size_t i) const { return {axis_[i].get(), size_}; }
   // The block that each move belongs to, from 1: an inserted move has that of the block that made it.
   [[nodiscard]] std::span<const std::uint64_t> block() const { return {block_.get(), size_}; }

@@ -28,8 +28,8 @@ struct WordColumn {
 // blocks, bit for bit: usual corners are computed many at a time, others one by one.
 class Batch {
  public:
-  // `others`: takes the events that are no moves: alarms, warnings, settings. Throws spec::InputError for a setup the
-  // control could not have.
+  // `others`: takes the events that are no moves: alarms, warnings, settings, holes. Throws spec::InputError for a
+  // setup the control could not have.
   explicit Batch(const spec::Setup& setup, EventSink* others = nullptr,
                  Instructions instructions = best_instructions());
   ~Batch();

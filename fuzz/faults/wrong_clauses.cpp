@@ -223,6 +223,31 @@ void keep_before_a_shift(const spec::Case& c, std::vector<model::Event>& events)
   }
 }
 
+spec::Case ninety_nine_as_ninety_eight(const spec::Case& c) {
+  spec::Case other = c;
+  replace_all(other.program, "G99", "G98");
+  return other;
+}
+
+// The repeats of a block drill in one place.
+void drill_in_one_place(const spec::Case& /*c*/, std::vector<model::Event>& events) {
+  for (std::size_t i = 1; i < events.size(); ++i)
+    if (events[i].hole && events[i - 1].hole && events[i].line == events[i - 1].line) {
+      events[i].point = events[i - 1].point;
+      events[i].axes = events[i - 1].axes;
+    }
+}
+
+// Behind a hole the axes stand where the tool does.
+void drill_without_length(const spec::Case& /*c*/, std::vector<model::Event>& events) {
+  for (model::Event& event : events) {
+    if (!event.hole) continue;
+    for (std::size_t i = 0; i < spec::kMaxAxes; ++i)
+      if (event.point.has(i)) event.axes.set(i, event.point[i]);
+    event.axes.set(event.hole->axis, event.hole->level);
+  }
+}
+
 constexpr WrongClause kWrong[] = {
     {"side_along_the_former_tool", "fanuc/tool-side-compensation", "perpendicular-to-the-tool", kBudget, nullptr,
      keep_along_the_former_tool},
@@ -234,6 +259,9 @@ constexpr WrongClause kWrong[] = {
     {"system_not_shifted", "fanuc/tool-length-offset", "by-the-words-alone", kBudget, without_shift, nullptr},
     {"measured_reversed", "fanuc/tool-length-measurement", "measured-difference", kBudget, nullptr, reverse_difference},
     {"offset_46_as_45", "fanuc/tool-offset", "signed-sums", kBudget, forty_six_as_forty_five, nullptr},
+    {"hole_repeats_in_one_place", "fanuc/canned-cycle", "hole-where-commanded", kBudget, nullptr, drill_in_one_place},
+    {"hole_return_99_as_98", "fanuc/canned-cycle", "hole-levels", kBudget, ninety_nine_as_ninety_eight, nullptr},
+    {"hole_without_length", "fanuc/canned-cycle", "hole-axes", kBudget, nullptr, drill_without_length},
     {"cutter_b_negative_value", "fanuc/cutter-compensation-b", "normal-of-the-block", kBudget, positive_values,
      nullptr},
     {"cutter_c_negative_value", "fanuc/cutter-compensation-c", "beside-the-line-before", kBudget, positive_values,

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "fuzz/gen/late_fault.h"
+#include "fuzz/gen/program_text.h"
 #include "spec/clauses/clauses.h"
 #include "spec/language/setup_key.h"
 
@@ -24,6 +25,7 @@ constexpr Generator kGenerators[] = {
     {"fanuc/tool-length-offset", tool_length_offset},
     {"fanuc/tool-length-measurement", tool_length_measurement},
     {"fanuc/tool-offset", tool_offset},
+    {"fanuc/canned-cycle", canned_cycle},
     {"fanuc/cutter-compensation-b", cutter_compensation_b},
     {"fanuc/cutter-compensation-c", cutter_compensation_c},
     {"fanuc/tool-side-compensation", tool_side_compensation},
@@ -83,6 +85,24 @@ void choose_program_parameters(Choices& choose, spec::Setup& setup) {
   if (choose.chance(15)) setup.parameters[{3410, -1}] = spec::decimal(choose.between(0, 4));
 }
 
+// Seldom M140 somewhere, or a departure, and mostly words behind it that make the position known again. Chosen last, so
+// that no other case changes.
+void put_retraction(Choices& choose, spec::Case& c) {
+  if (c.setup.control != spec::Control::heidenhain || !choose.chance(8)) return;
+  std::vector<std::string> text = lines(c.program);
+  if (text.size() < 3) return;
+  const std::size_t at = 1 + choose.below(text.size() - 2);
+  if (text[at - 1].ends_with('~')) return;
+  std::vector<std::string> more;
+  if (choose.chance(15)) more = {"L IX+3 IY-2 RL F100", "DEP LT LEN5 F200"};
+  more.emplace_back(choose.one_of({"L M140 MB MAX", "L M140 MB+5", "M140 MB 2.5", "L R0 FMAX M140 MB MAX",
+                                   "L M140 MB-1.25 F500", "M140 MB MAX FMAX M9", "L R0 F200 M140 MB30"}));
+  if (choose.chance(75))
+    more.emplace_back(choose.one_of({"L X+1 Y+2 Z+3 R0 FMAX", "L Z+50 R0 FMAX", "L X-4.5 Y+7 R0"}));
+  text.insert(text.begin() + static_cast<std::ptrdiff_t>(at), more.begin(), more.end());
+  c.program = joined(text);
+}
+
 spec::Case directed(const Generator& generator, Choices& choose, std::uint32_t blocks) {
   spec::Case c = generator.make(choose, blocks);
   c.section = generator.section;
@@ -110,6 +130,7 @@ spec::Case generate(std::string_view section, Mode mode, ChoiceSource& source, s
   if (mode == Mode::unrestricted) return unrestricted(choose, std::move(c), blocks);
   choose_keys(choose, c);
   choose_program_parameters(choose, c.setup);
+  put_retraction(choose, c);
   return c;
 }
 

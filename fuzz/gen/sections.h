@@ -10,6 +10,7 @@ namespace toolcomp::fuzz {
 spec::Case tool_length_offset(Choices& choose, std::uint32_t blocks);
 spec::Case tool_length_measurement(Choices& choose, std::uint32_t blocks);
 spec::Case tool_offset(Choices& choose, std::uint32_t blocks);
+spec::Case canned_cycle(Choices& choose, std::uint32_t blocks);
 spec::Case cutter_compensation_b(Choices& choose, std::uint32_t blocks);
 spec::Case cutter_compensation_c(Choices& choose, std::uint32_t blocks);
 spec::Case tool_side_compensation(Choices& choose, std::uint32_t blocks);

@@ -5,6 +5,7 @@
 
 #include "fuzz/laws/fanuc/beside_the_path.h"
 #include "fuzz/laws/fanuc/commanded_direction.h"
+#include "fuzz/laws/fanuc/holes.h"
 #include "fuzz/laws/fanuc/leading_edge.h"
 #include "fuzz/laws/fanuc/offsets.h"
 #include "fuzz/laws/fanuc/tool_center_point.h"
@@ -42,6 +43,11 @@ constexpr Law<FanucScene> kFanucLaws[] = {
     {{"by-the-words-alone", "a length offset that shifts the system moves nothing: under G91 the axes go by the words"},
      by_the_words_alone},
     {{"signed-sums", "the shift grows by the signed offset in every commanded axis"}, signed_sums},
+    {{"hole-where-commanded", "a block drills as many holes as it says, where it says"}, hole_where_commanded},
+    {{"hole-levels", "point R, bottom and level of return are those of the words, from where the mode began"},
+     hole_levels},
+    {{"hole-axes", "behind a hole the axes stand at its position and level, plus the length offset in force"},
+     hole_axes},
     {{"measured-difference", "the new offset is the old one plus the difference measured"}, measured_difference},
     {{"axis-of-the-positions", "the tool axis is that of the rotary positions"}, axis_of_the_positions},
     {{"tip-of-the-axes", "the tip that belongs to the axes, seen from the table, is the point"}, tip_of_the_axes},

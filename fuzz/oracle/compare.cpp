@@ -131,6 +131,8 @@ class Comparison {
         return sample();
       case EventKind::setting:
         return setting();
+      case EventKind::hole:
+        return hole();
       case EventKind::alarm:
       case EventKind::warning:
       case EventKind::undecided:
@@ -145,11 +147,24 @@ class Comparison {
     return named("cause", expected_.cause, actual_.cause) || named("type", expected_.type, actual_.type) ||
            table("programmed", expected_.programmed, actual_.programmed, kProgrammed) ||
            table("point", expected_.point, actual_.point) || table("axes", expected_.axes, actual_.axes) ||
-           table("machine", expected_.machine, actual_.machine) || tool_axis() || space() || arc() || feed();
+           table("machine", expected_.machine, actual_.machine) || unknown() || tool_axis() || space() || arc() ||
+           feed();
+  }
+
+  bool unknown() {
+    return rules_.judges("unknown") && expected_.unknown != actual_.unknown &&
+           differ("unknown position", "unknown", letters_of(expected_.unknown), letters_of(actual_.unknown));
+  }
+  [[nodiscard]] std::string letters_of(std::uint16_t axes) const {
+    std::string letters;
+    for (std::size_t i = 0; i < rules_.axes().size(); ++i)
+      if ((axes >> i & 1U) != 0) letters += rules_.axes().letter(i);
+    return letters.empty() ? "none" : letters;
   }
 
   // 3D tool compensation. Fields that only one of the two has are judged one by one.
   bool space() {
+    if (expected_.unknown != 0) return false;  // whoever knows the limits of travel may say more
     const auto* const e = expected_.space ? &*expected_.space : nullptr;
     const auto* const a = actual_.space ? &*actual_.space : nullptr;
     const auto* const ec = e != nullptr && e->contact ? &*e->contact : nullptr;
@@ -213,6 +228,20 @@ class Comparison {
     const double start = scale_.start;
     return table("point", expected_.point, actual_.point, start) ||
            table("axes", expected_.axes, actual_.axes, start) || tool_axis();
+  }
+
+  bool hole() {
+    return table("point", expected_.point, actual_.point) ||
+           level("r", &spec::Hole<Real>::point_r, &spec::Hole<Number>::point_r) ||
+           level("bottom", &spec::Hole<Real>::bottom, &spec::Hole<Number>::bottom) ||
+           level("return", &spec::Hole<Real>::level, &spec::Hole<Number>::level) ||
+           table("axes", expected_.axes, actual_.axes);
+  }
+
+  bool level(std::string_view field, Real spec::Hole<Real>::* e, Number spec::Hole<Number>::* a) {
+    if (!rules_.judges(field) || absent({field}, expected_.hole.has_value(), actual_.hole.has_value())) return found_;
+    return expected_.hole && number("coordinate", {field}, (*expected_.hole).*e, (*actual_.hole).*a,
+                                    rules_.budget().coordinate, length_unit(), Measure::length);
   }
 
   bool setting() {
@@ -283,7 +312,7 @@ class Comparison {
     const double unit = head ? head_unit(error) : programmed_unit() + (error == kCenter ? scale_.center : 0);
     for (std::size_t i = 0; i < rules_.axes().size(); ++i) {
       const char letter = rules_.axes().letter(i);
-      if (!e.has(i) && !a.has(i)) continue;
+      if ((!e.has(i) && !a.has(i)) || (expected_.unknown >> i & 1U) != 0) continue;
       const Path path{field, letter};
       if (absent(path, e.has(i), a.has(i))) return true;
       if (!spec::is_linear_axis(letter)) {
@@ -603,6 +632,8 @@ std::string describe(const spec::Event<Number>& event) {
       return fmt::format("sample {}/{} of line {}", event.t_numerator, event.t_denominator, event.line);
     case EventKind::setting:
       return fmt::format("setting {} in line {}", event.setting.view(), event.line);
+    case EventKind::hole:
+      return fmt::format("hole, line {}", event.line);
     case EventKind::alarm:
     case EventKind::warning:
     case EventKind::undecided:

@@ -116,6 +116,7 @@ Scale Conditions::next(std::span<const model::Event> window) {
   }
   Scale scale;
   scale.position = setup_scale_;
+  if (event.kind == spec::EventKind::hole) return hole(event, scale);
   if (event.kind != spec::EventKind::move && event.kind != spec::EventKind::sample) return scale;
   const auto include = [&](const spec::AxisValues<model::Real>& values) {
     for (std::size_t i = 0; i < spec::kMaxAxes; ++i)
@@ -129,6 +130,21 @@ Scale Conditions::next(std::span<const model::Event> window) {
   if (event.kind == spec::EventKind::sample) return sample(window, scale);
   of_move_.reset();
   return move(window, scale);
+}
+
+// Without a vector; the next move goes from there.
+Scale Conditions::hole(const model::Event& event, Scale scale) {
+  model::Event end = event;
+  end.kind = spec::EventKind::move;
+  end.point.set(event.hole->axis, event.hole->level);
+  end.programmed = end.point;
+  end.hole.reset();
+  const std::array<model::Event, 1> window{end};
+  const Scale of_end = next(window);
+  for (const model::Real& level : {event.hole->point_r, event.hole->bottom})
+    scale.position = std::max(scale.position, std::fabs(approximate(level)));
+  scale.position = std::max(scale.position, of_end.position);
+  return scale;
 }
 
 Scale Conditions::sample(std::span<const model::Event> window, Scale scale) {

@@ -44,6 +44,7 @@ class Conditions {
  private:
   using Vector = Space;
   [[nodiscard]] Scale move(std::span<const model::Event> window, Scale scale);
+  [[nodiscard]] Scale hole(const model::Event& event, Scale scale);
   [[nodiscard]] Scale sample(std::span<const model::Event> window, Scale scale);
   [[nodiscard]] double condition(std::span<const model::Event> window, const Vector& tool,
                                  const Vector& compensation) const;

@@ -83,6 +83,8 @@ inline constexpr Budget kBudgets[] = {
     // Sums of decimals, as the length offset.
     {"fanuc/tool-length-measurement", 8, 8, 16, 16},
     {"fanuc/tool-offset", 8, 8, 16, 16},
+    // Sums of decimals; contours between the cycles are cutter compensation, with its row.
+    {"fanuc/canned-cycle", 32, 32, 16, 32, VectorFrom::corner, "corner_ahead corner_back"},
     // A normalised normal times the offset (two squares, sum, root, quotient, product), the programmed position and the
     // length offset; the end of an arc twice that, for its sweep. Proved: the vector of straight blocks and of
     // G39, 7.1. Not proved: that of arcs, and their sweep.

@@ -38,6 +38,10 @@ spec::Event<Rational> Reading::event(const spec::TextEvent& e) {
     if (e.arc->radius)
       r.arc->radius = std::pair(number("radius", e.arc->radius->first), number("radius", e.arc->radius->second));
   }
+  r.unknown = e.unknown;
+  if (e.hole)
+    r.hole = {e.hole->axis, number("r", e.hole->point_r), number("bottom", e.hole->bottom),
+              number("return", e.hole->level)};
   if (e.feed) r.feed = number("feed", *e.feed);
   if (e.kind == spec::EventKind::setting) r.value = number("value", e.value);
   return r;

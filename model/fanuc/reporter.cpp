@@ -61,6 +61,7 @@ void Reporter::report(const Step& step) {
     if (move.inside && move.inside->branch_differs) report(branch_warning());
     tip_moves_.take(move);
   }
+  for (const DrilledHole& hole : step.holes) report(hole);
   if (motions_ != nullptr) motions_->stand(step.zero, step.line, step.n);
   if (step.setting) report(*step.setting);
   if (step.alarm) report(*step.alarm, step.clauses);
@@ -89,6 +90,20 @@ void Reporter::report(const Move& move, std::shared_ptr<const InsideMove> inside
   if (move.tool.reported) event.tool_axis = {move.tool.unit.x, move.tool.unit.y, move.tool.unit.z};
   event.arc = move.leg.arc;
   if (event.type != spec::MoveType::rapid) event.feed = move.feed;
+  event.clauses = step_->clauses;
+  sink_.on(event);
+}
+
+void Reporter::report(const DrilledHole& hole) {
+  Event event = event_of_step(spec::EventKind::hole);
+  const Leg& leg = hole.move.leg;
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    const Real at = leg.actual(i).value();
+    if (spec::is_linear_axis(axes_.letter(i)) && i != hole.axis) event.point.set(i, at);
+    event.axes.set(i, at + hole.move.length.at(i));
+  }
+  const Rational shift = leg.shift ? leg.shift->at(hole.axis) : Rational(0);
+  event.hole = {hole.axis, hole.point_r.value() + shift, hole.bottom.value() + shift, leg.actual(hole.axis).value()};
   event.clauses = step_->clauses;
   sink_.on(event);
 }

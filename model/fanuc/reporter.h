@@ -40,6 +40,7 @@ class Reporter {
   template <class Fault>
   [[nodiscard]] Event event_of(spec::EventKind kind, const Fault& fault) const;
   void report(const Move& move, std::shared_ptr<const InsideMove> inside);
+  void report(const DrilledHole& hole);
   void report(Event sample);
   void report(const OffsetSetting& setting);
   void report(const Warning& warning);

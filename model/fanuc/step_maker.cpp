@@ -20,13 +20,16 @@ StepMaker::StepMaker(const spec::Setup& setup, OffsetMemory& memory, Recorder& r
       recorder_(recorder),
       memory_(memory),
       interpreter_(setup, recorder),
+      cycles_(setup, interpreter_.numbers(), recorder),
       tip_control_(setup, recorder, interpreter_.work(), interpreter_.position(), with_motion),
       length_(setup, memory, recorder),
       tool_offset_(setup, memory, recorder),
       measurement_(setup, recorder) {}
 
 Step StepMaker::make(const spec::Block& block, Pipeline& stages) {
-  const Command command = interpreter_.read(block);
+  Command command = interpreter_.read(block);
+  cycles_.read(command);
+  interpreter_.require_feed(command);
   Making now{command, stages, {}, false, {}, {}, {}, false, {}};
   now.step.line = block.line;
   now.step.n = block.n;
@@ -44,6 +47,7 @@ Step StepMaker::make(const spec::Block& block, Pipeline& stages) {
 void StepMaker::read_words(Making& now) {
   const Command& command = now.command;
   now.tip = tip_control_.read(command, length_, now.stages);
+  if (command.cycle.on) check_cycle(now);
   now.compensates = shifts_system_ && (now.stages.in_force(Extent::space, command).any() ||
                                        now.stages.in_force(Extent::plane, command).any());
   const StageCommand for_stages{command, interpreter_, now.tip.directed};
@@ -60,6 +64,23 @@ void StepMaker::read_words(Making& now) {
     pending_write_ = memory_.read_write(command.words, interpreter_.numbers(), command.incremental);
 }
 
+void StepMaker::check_cycle(Making& now) {
+  const Pipeline::InForce space = now.stages.in_force(Extent::space, now.command);
+  const Pipeline::InForce plane = now.stages.in_force(Extent::plane, now.command);
+  try {
+    cycles_.check(now.command, {space.before || plane.before, space.after, plane.after});
+  } catch (const LeftOpen& open) {
+    leave_open_here(now, open);
+  }
+}
+
+void StepMaker::leave_open_here(Making& now, const LeftOpen& open) {
+  recorder_.take_clauses();
+  now.stages.finish();
+  recorder_.at(now.step.line);
+  leave_open(recorder_, open.clause, open.message);
+}
+
 void StepMaker::find_legs(Making& now) {
   const Command& command = now.command;
   std::vector<Leg>& legs = now.legs;
@@ -67,8 +88,11 @@ void StepMaker::find_legs(Making& now) {
   if (shifts_system_) shift_system(now);
   legs = interpreter_.legs(command, tip.directed, tip.starts, now.stages.takes_arc_about_its_start(command));
   const Leg start = tool_offset_.shifted(interpreter_.stay(command));
-  tool_offset_.apply(command, interpreter_,
-                     {command.codes.h.value_or(length_.number()), length_.axis_mode(command.codes.length)}, legs);
+  if (command.cycle.on)
+    tool_offset_.store_number(command.codes);
+  else
+    tool_offset_.apply(command, interpreter_,
+                       {command.codes.h.value_or(length_.number()), length_.axis_mode(command.codes.length)}, legs);
   now.stages.add_way(now.words,
                      {start, legs, [this](const Position& position) { return tip_control_.at(position).tool; }});
   now.machine = tip.tip_control || (!legs.empty() && goes_by_machine_coordinates(command.codes.one_shot));
@@ -77,9 +101,9 @@ void StepMaker::find_legs(Making& now) {
     recorder_.decide(Clause::fanuc_length_offset_shifted_system, false);
   // fanuc.length-offset.move-without-axis-word: Without an axis word a travel of zero is assumed: the offset axis still
   // moves by the change of its offset. Where the offset does not change there is no move.
-  const bool may_move = legs.empty() && (!shifts_system_ || tip.tip_control);
+  const bool may_move = legs.empty() && !command.cycle.makes_holes() && (!shifts_system_ || tip.tip_control);
   const bool moves =
-      tip.ends ? tip.takes_back
+      tip.ends ? tip.takes_back && !command.cycle.makes_holes()
                : may_move && recorder_.decide(Clause::fanuc_length_offset_move_without_axis_word, now.plan.changed);
   if (legs.empty() && moves) legs.push_back(tool_offset_.shifted(interpreter_.stay(command)));
 }
@@ -95,14 +119,9 @@ void StepMaker::shift_system(Making& now) {
   now.plan = length_.plan(length_command(now.command));
   if (now.plan.on_way.axis == before.axis) return;
   recorder_.decide(Clause::fanuc_length_offset_shifted_system, true);
-  if (now.compensates) {
-    // What is held goes out as if this block were absent.
-    recorder_.take_clauses();
-    now.stages.finish();
-    recorder_.at(now.step.line);
-    leave_open(recorder_, Clause::fanuc_length_offset_shifted_in_compensation,
-               "a length offset shifts the coordinate system while a compensation is on");
-  }
+  if (now.compensates)
+    leave_open_here(now, {Clause::fanuc_length_offset_shifted_in_compensation,
+                          "a length offset shifts the coordinate system while a compensation is on"});
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     const Rational change = now.plan.on_way.axis.at(i) - before.axis.at(i);
     if (change != 0) interpreter_.stand(i, interpreter_.position().at(i) - Coordinate(change));
@@ -114,7 +133,10 @@ LengthCommand StepMaker::length_command(const Command& command) const {
   result.code = command.codes.length;
   result.h = command.codes.h;
   result.plane = command.plane;
-  result.axes = command.axes;
+  // fanuc.canned-cycle.length-offset: The length offset in force after the words of the block counts for the whole
+  // hole: the axes of its event are those of the end of the block, with it. Type C takes the drilling axis for the one
+  // that the block names.
+  result.axes = command.cycle.drills ? static_cast<AxisMask>(1U << cycles_.axis()) : command.axes;
   result.has_word = command.codes.any;
   const std::optional<Compensation>& code = command.codes.compensation;
   result.cutter_code = code && (*code == Compensation::cancel || is_cutter_side(*code));
@@ -137,6 +159,7 @@ void StepMaker::measure(Making& now) {
 }
 
 void StepMaker::make_moves(Making& now) {
+  if (now.command.cycle.drills) make_holes(now);
   if (now.tip.tip_control && !now.legs.empty()) {
     now.step.moves.push_back(turned_move(now));
     return;
@@ -147,6 +170,16 @@ void StepMaker::make_moves(Making& now) {
     now.step.moves.push_back(move(leg, offset, tip_control_.at(leg.end), now.machine));
     if (leg.cause == spec::Cause::measure)
       if (const auto feed = measurement_.feed()) now.step.moves.back().feed = *feed;
+  }
+}
+
+void StepMaker::make_holes(Making& now) {
+  recorder_.decide(Clause::fanuc_canned_cycle_length_offset, now.plan.changed);
+  for (const Hole& hole : cycles_.drill(now.command, interpreter_.position())) {
+    Leg leg;
+    leg.end = hole.end;
+    const Move end = move(tool_offset_.shifted(leg), now.plan.at_end, tip_control_.at(hole.end), false);
+    now.step.holes.push_back({end, cycles_.axis(), hole.point_r, hole.bottom});
   }
 }
 
@@ -177,6 +210,7 @@ Move StepMaker::move(const Leg& leg, const LengthVector& offset, const ToolAtEnd
 
 void StepMaker::arrive(Making& now) {
   interpreter_.arrive(now.command, now.legs);
+  if (!now.step.holes.empty()) interpreter_.stand(now.step.holes.back().move.leg.end);
   if (measures(now.command)) {
     // The programmed position is where the measurement has stopped, the shift of the tool offset apart.
     const std::size_t axis = ToolLengthMeasurement::axis(now.command);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/basis/recorder.h"
+#include "model/fanuc/canned_cycle/canned_cycle.h"
 #include "model/fanuc/program/interpreter.h"
 #include "model/fanuc/program/offset_memory.h"
 #include "model/fanuc/program/pipeline.h"
@@ -56,10 +57,15 @@ class StepMaker {
   void find_legs(Making& now);
   void measure(Making& now);
   void make_moves(Making& now);
+  void make_holes(Making& now);
   void arrive(Making& now);
   void add_rest(Making& now);
   void complete(Making& now);
   void write_offset(Step& step);
+  // A block in the drilling mode of canned cycles, where its words allow it.
+  void check_cycle(Making& now);
+  // The specification leaves the block open: what is held goes out as if it were absent.
+  [[noreturn]] void leave_open_here(Making& now, const LeftOpen& open);
 
   // The move of a leg, with what the length offset and the tool say about its end.
   [[nodiscard]] Move move(const Leg& leg, const LengthVector& offset, const ToolAtEnd& tool, bool machine) const;
@@ -74,6 +80,7 @@ class StepMaker {
   Recorder& recorder_;
   OffsetMemory& memory_;
   Interpreter interpreter_;
+  CannedCycle cycles_;
   ToolCenterPointControl tip_control_;
   ToolLengthOffset length_;
   ToolOffset tool_offset_;

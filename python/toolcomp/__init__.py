@@ -15,7 +15,7 @@ from .certifying import Finding, Verdict, certify
 from .comparing import Comparison, Difference, diff
 from .controllers import ControllerLike
 from .errors import Error, InputError, NotApplicable, UndecidedError
-from .events import Alarm, Event, Move, Note, NotJudged, NotSupported, Sample, Setting, Undecided, Warning
+from .events import Alarm, Event, Hole, Move, Note, NotJudged, NotSupported, Sample, Setting, Undecided, Warning
 from .explaining import Block, Clause, Decision, ExplainedEvent, clause, explain
 from .numbers import Exact, Number
 from .recordings import RecordingFinding, RecordingVerdict, judge
@@ -46,6 +46,7 @@ __all__ = [
     "Exact",
     "ExplainedEvent",
     "Finding",
+    "Hole",
     "InputError",
     "Move",
     "Moves",

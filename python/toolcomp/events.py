@@ -60,6 +60,8 @@ class Move(_Event):
     axes: AxisValues = field(default_factory=dict)
     #: the same in machine coordinates: G53, G28, G30, tool center point control
     machine: AxisValues = field(default_factory=dict)
+    #: axes of which nobody knows where they stand; no other field has them (Klartext)
+    unknown: Tuple[str, ...] = ()
     #: unit vector from tip to holder
     tool_axis: Vector | None = None
     #: as F; not of rapid moves
@@ -121,6 +123,22 @@ class Warning(_Event):
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
+class Hole(_Event):
+    """A hole of a canned cycle. What happens between its beginning and its end is not said."""
+
+    kind: ClassVar[str] = "hole"
+    #: position: the linear axes but the drilling axis, before length offset
+    point: AxisValues = field(default_factory=dict)
+    #: point R and the bottom, coordinates along the drilling axis
+    r: Number | None = None
+    bottom: Number | None = None
+    #: to which the tool returns: `return` in JSON
+    level: Number | None = None
+    #: where the axes stand behind it, workpiece coordinates
+    axes: AxisValues = field(default_factory=dict)
+
+
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Setting(_Event):
     """A value written to the offset memory (G10, G37)."""
 
@@ -169,7 +187,7 @@ class Note(_Event):
     text: str = ""
 
 
-Event = Union[Move, Sample, Alarm, Warning, Setting, Undecided, NotSupported, NotJudged, Note]
+Event = Union[Move, Sample, Alarm, Warning, Setting, Undecided, NotSupported, NotJudged, Hole, Note]
 
 _KINDS: dict[str, type[Event]] = {
     "move": Move,
@@ -180,12 +198,16 @@ _KINDS: dict[str, type[Event]] = {
     "undecided": Undecided,
     "not_supported": NotSupported,
     "not_judged": NotJudged,
+    "hole": Hole,
     "note": Note,
 }
 _AXES = {"programmed", "point", "axes", "machine", "center", "tool_center", "contact", "shift", "tool_shift", "carrier"}
 _TUPLES = {"tool_axis", "normal", "radius"}
-_NUMBERS = {"feed", "sweep", "angle", "value"}
-_NAMES = {"clauses", "permitted"}
+_NUMBERS = {"feed", "sweep", "angle", "value", "r", "bottom", "level"}
+_NAMES = {"clauses", "permitted", "unknown"}
+#: A word of the language cannot be the name of an attribute.
+_ATTRIBUTES = {"return": "level"}
+_FIELDS = {attribute: name for name, attribute in _ATTRIBUTES.items()}
 
 
 def _read(name: str, json: Any) -> Any:
@@ -202,7 +224,8 @@ def _read(name: str, json: Any) -> Any:
 
 def event_of_json(json: Mapping[str, Any]) -> Event:
     """An event from its JSON object, as the extension, a golden vector or the protocol has it."""
-    return _KINDS[json["kind"]](**{name: _read(name, value) for name, value in json.items() if name != "kind"})
+    named = ((_ATTRIBUTES.get(name, name), value) for name, value in json.items() if name != "kind")
+    return _KINDS[json["kind"]](**{name: _read(name, value) for name, value in named})
 
 
 def _write(name: str, value: Any) -> Any:
@@ -221,11 +244,11 @@ def json_of_event(event: Event | Mapping[str, Any]) -> dict[str, Any]:
     """The JSON object of an event for the protocol; what is empty is left out. A mapping is taken as one, its numbers
     written out."""
     if isinstance(event, Mapping):
-        return {name: _write(name, value) for name, value in event.items()}
+        return {name: _write(_ATTRIBUTES.get(name, name), value) for name, value in event.items()}
     written = {"kind": event.kind, "line": event.line}
     for each in fields(event):
         value = getattr(event, each.name)
         if each.name == "line" or (_is_empty(value) and each.name != "permitted"):
             continue
-        written[each.name] = _write(each.name, value)
+        written[_FIELDS.get(each.name, each.name)] = _write(each.name, value)
     return written

@@ -45,7 +45,7 @@ std::string_view event_schema() {
   "oneOf": [
     { "$ref": "#/$defs/move" }, { "$ref": "#/$defs/sample" }, { "$ref": "#/$defs/alarm" },
     { "$ref": "#/$defs/setting" }, { "$ref": "#/$defs/undecided" },
-    { "$ref": "#/$defs/beyond" }
+    { "$ref": "#/$defs/beyond" }, { "$ref": "#/$defs/hole" }
   ],
   "$defs": {
     "move": {
@@ -80,7 +80,24 @@ std::string_view event_schema() {
         "carrier": { "description": "Heidenhain: tool carrier reference point, where the tool table gives the length.", "$ref": "#/$defs/vector_by_letter" },
         "angle": { "description": "Between normal and tool, tools with a table of deviations.", "$ref": "#/$defs/number" },
         "flat": { "description": "The normal is along the tool.", "type": "boolean", "default": false },
+        "unknown": { "description": "Heidenhain: axes of which nobody knows where they stand; no other field has them.", "type": "array", "items": { "type": "string", "pattern": "^[XYZ]$" } },
         "feed": { "$ref": "#/$defs/number" },
+        "clauses": { "$ref": "#/$defs/clauses" }
+      }
+    },
+    "hole": {
+      "description": "A hole of a canned cycle, before length offset but for axes; r, bottom and return are coordinates along the drilling axis.",
+      "type": "object", "additionalProperties": false,
+      "required": ["kind", "line", "point", "r", "bottom", "return", "axes"],
+      "properties": {
+        "kind": { "const": "hole" },
+        "line": { "$ref": "#/$defs/count" },
+        "n": { "$ref": "#/$defs/count" },
+        "point": { "description": "The linear axes but the drilling axis.", "$ref": "#/$defs/axis_values" },
+        "r": { "description": "Point R.", "$ref": "#/$defs/number" },
+        "bottom": { "$ref": "#/$defs/number" },
+        "return": { "description": "To which the tool returns.", "$ref": "#/$defs/number" },
+        "axes": { "description": "Where the axes stand behind the hole.", "$ref": "#/$defs/axis_values" },
         "clauses": { "$ref": "#/$defs/clauses" }
       }
     },

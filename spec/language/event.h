@@ -19,7 +19,17 @@
 
 namespace toolcomp::spec {
 
-enum class EventKind : std::uint8_t { move, sample, alarm, warning, setting, undecided, not_supported, not_judged };
+enum class EventKind : std::uint8_t {
+  move,
+  sample,
+  alarm,
+  warning,
+  setting,
+  undecided,
+  not_supported,
+  not_judged,
+  hole
+};
 
 // The run ends here: with an alarm of the control, or because what a control does from here on is not known.
 constexpr bool ends_run(EventKind kind) {
@@ -58,6 +68,16 @@ struct SpaceCompensation {
   std::array<Number, 3> tool_shift{};            // of the real tool against one without deltas
   std::optional<std::array<Number, 3>> carrier;  // where the tool table gives the length
   std::optional<Contact<Number>> contact;        // blocks with a surface normal
+};
+
+// Of a hole that a canned cycle drills, coordinates along the drilling axis: workpiece coordinates, setup units, before
+// length offset.
+template <class Number>
+struct Hole {
+  std::size_t axis = 0;  // the drilling axis, by its place in the setup; events of controllers do not say it
+  Number point_r{};
+  Number bottom{};
+  Number level{};  // to which the tool returns
 };
 
 // The clauses an event rests on, all of them, each once, in the order they were applied: what decided comes last.
@@ -119,6 +139,10 @@ struct Event {
   std::optional<Arc<Number>> arc;
   std::optional<Number> feed;                      // F in force, setup units; not for rapid moves
   std::optional<SpaceCompensation<Number>> space;  // Heidenhain
+  std::uint16_t unknown = 0;  // Heidenhain, bit i: where axis i stands is not known, and no field has it
+
+  // hole: `point` is its position, the linear axes but the drilling axis; `axes` where they stand behind it.
+  std::optional<Hole<Number>> hole;
 
   // alarm, warning, undecided, not supported, not judged
   AlarmCause alarm = AlarmCause::none;  // of an alarm; none where a controller does not name it

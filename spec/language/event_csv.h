@@ -20,7 +20,8 @@ namespace toolcomp::spec {
 void append_csv_text(std::string& out, std::string_view text);
 
 // The names of the columns for a setup with these axes: kind, line, n, type, cause, programmed.X, … Under
-// Control::heidenhain the columns of 3D tool compensation stand before feed, and `reason` before clauses.
+// Control::heidenhain the columns of 3D tool compensation stand before feed, and `reason` before clauses; else those of
+// holes before t.
 void append_csv_header(std::string& out, const Axes& axes, Control control = Control::fanuc);
 
 // Writes the columns of one event.
@@ -52,6 +53,7 @@ class EventCsv {
     if (space_) space(event.space ? &*event.space : nullptr);
     if (event.feed) append_number_(out_, *event.feed);
     next();
+    if (space_) unknown(event.unknown);
     text(event.number.view());
     next();
     text(event.message);
@@ -60,6 +62,7 @@ class EventCsv {
     next();
     if (event.kind == EventKind::setting) append_number_(out_, event.value);
     next();
+    if (!space_) hole(event.hole ? &*event.hole : nullptr);
     if (event.kind == EventKind::sample) {
       append_integer(out_, event.t_numerator);
       out_ += '/';
@@ -111,6 +114,19 @@ class EventCsv {
     }
   }
 
+  void unknown(std::uint16_t axes) {
+    for (std::size_t axis = 0; axis < axes_.size(); ++axis)
+      if ((axes >> axis & 1U) != 0) out_ += axes_.letter(axis);
+    next();
+  }
+
+  void hole(const Hole<Number>* hole) {
+    for (const auto member : {&Hole<Number>::point_r, &Hole<Number>::bottom, &Hole<Number>::level}) {
+      if (hole != nullptr) append_number_(out_, hole->*member);
+      next();
+    }
+  }
+
   void space(const SpaceCompensation<Number>* space) {
     const Contact<Number>* const contact = space != nullptr && space->contact ? &*space->contact : nullptr;
     vector(space != nullptr ? &space->tool_center : nullptr);
@@ -142,7 +158,7 @@ class EventCsv {
   Text& out_;
   const Axes& axes_;
   const AppendNumber& append_number_;
-  bool space_;  // with the columns of 3D tool compensation
+  bool space_;  // with the columns of 3D tool compensation, without those of holes
 };
 
 // Appends the event to a std::string or TextCursor as one row with its line feed; append_number(out, value) appends one

@@ -26,7 +26,7 @@ struct GcodeState {
   AxisValues<Number> point;
 };
 
-// Writes one event as one line.
+// Writes one event as one line, a hole as four.
 template <class Text, class Number, class AppendNumber>
 class EventGcode {
  public:
@@ -68,6 +68,9 @@ class EventGcode {
         comment_text(event.message);
         out_ += ")\n";
         break;
+      case EventKind::hole:
+        hole(event);
+        break;
       case EventKind::sample:
         break;
     }
@@ -92,9 +95,32 @@ class EventGcode {
       if (event.axes.has(axis)) word(axes_.letter(axis), event.axes[axis]);
     if (arc) center(*event.arc);
     if (event.feed && event.type != MoveType::rapid) word('F', *event.feed);
+    if (event.unknown != 0) out_ += " (the others are not known)";
     out_ += '\n';
     for (std::size_t axis = 0; axis < axes_.size(); ++axis)
       if (event.point.has(axis)) state_.point.set(axis, event.point[axis]);
+  }
+
+  // The drilling axis by itself, last: the way to point R, to the bottom and back is the same whatever the cycle.
+  void hole(const Event<Number>& event) {
+    if (!event.hole || !event.axes.has(event.hole->axis)) return;
+    const Hole<Number>& hole = *event.hole;
+    const Number length = event.axes[hole.axis] - hole.level;
+    out_ += "G00";
+    for (std::size_t axis = 0; axis < axes_.size(); ++axis)
+      if (event.axes.has(axis) && axis != hole.axis) word(axes_.letter(axis), event.axes[axis]);
+    const char letter = axes_.letter(hole.axis);
+    const auto along = [&](std::string_view code, const Number& to) {
+      out_ += '\n';
+      out_ += code;
+      word(letter, to + length);
+    };
+    along("G00", hole.point_r);
+    along("G01", hole.bottom);
+    along("G00", hole.level);
+    out_ += '\n';
+    state_.point = event.point;
+    state_.point.set(hole.axis, hole.level);
   }
 
   // The centre belongs to `point`, and so does the start that I J K are counted from: the difference is the same for
@@ -137,9 +163,9 @@ class EventGcode {
 };
 
 // Appends the event to a std::string or TextCursor as one line: a move to its `axes`, absolute, in the workpiece
-// coordinate system it was made in (events do not say when G54 to G59 change); alarms, warnings and settings as
-// comments; nothing for a sample (straight_to makes a move of it). append_number(out, value) appends one number without
-// exponent. Number needs a minus, for I J K.
+// coordinate system it was made in (events do not say when G54 to G59 change); a hole as the way to point R, to its
+// bottom and back; alarms, warnings and settings as comments; nothing for a sample (straight_to makes a move of it).
+// append_number(out, value) appends one number without exponent. Number needs a minus, for I J K.
 template <class Text, class Number, class AppendNumber>
 void append_event_gcode(Text& out, const Event<Number>& event, const Axes& axes, const AppendNumber& append_number,
                         GcodeState<Number>& state) {

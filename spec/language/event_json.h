@@ -34,6 +34,10 @@ class EventJson {
         place(event);
         sample(event);
         break;
+      case EventKind::hole:
+        place(event);
+        hole(event);
+        break;
       case EventKind::alarm:
       case EventKind::warning:
         text("number", event.number.view());
@@ -114,6 +118,31 @@ class EventJson {
     out_ += '}';
   }
 
+  void hole(const Event<Number>& event) {
+    values("point", event.point);
+    if (event.hole) {
+      number("r", event.hole->point_r);
+      number("bottom", event.hole->bottom);
+      number("return", event.hole->level);
+    }
+    values("axes", event.axes);
+  }
+
+  void unknown(std::uint16_t axes) {
+    if (axes == 0) return;
+    key("unknown");
+    char separator = '[';
+    for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
+      if ((axes >> axis & 1U) == 0) continue;
+      out_ += separator;
+      out_ += '"';
+      out_ += axes_.letter(axis);
+      out_ += '"';
+      separator = ',';
+    }
+    out_ += ']';
+  }
+
   void tool_axis(const Event<Number>& event) {
     if (event.tool_axis) direction("tool_axis", *event.tool_axis);
   }
@@ -176,6 +205,7 @@ class EventJson {
     values("point", event.point);
     values("axes", event.axes);
     values("machine", event.machine);
+    unknown(event.unknown);
     tool_axis(event);
     if (event.arc) arc(*event.arc);
     if (event.space) space(*event.space);

@@ -70,6 +70,10 @@ Event<To> map_numbers(const Event<From>& event, const Function& function) {
       mapped.arc->radius.emplace(function(event.arc->radius->first), function(event.arc->radius->second));
   }
   if (event.space) mapped.space = map_numbers<To>(*event.space, function);
+  mapped.unknown = event.unknown;
+  if (event.hole)
+    mapped.hole = {event.hole->axis, function(event.hole->point_r), function(event.hole->bottom),
+                   function(event.hole->level)};
   mapped.feed = optional(event.feed);
   mapped.alarm = event.alarm;
   mapped.number = event.number;

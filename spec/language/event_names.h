@@ -16,8 +16,8 @@ namespace toolcomp::spec {
 template <class Enum>
 inline constexpr std::array<std::string_view, 0> kNames{};
 template <>
-inline constexpr std::array<std::string_view, 8> kNames<EventKind>{
-    "move", "sample", "alarm", "warning", "setting", "undecided", "not_supported", "not_judged"};
+inline constexpr std::array<std::string_view, 9> kNames<EventKind>{
+    "move", "sample", "alarm", "warning", "setting", "undecided", "not_supported", "not_judged", "hole"};
 template <>
 inline constexpr std::array<std::string_view, 3> kNames<MoveType>{"rapid", "linear", "arc"};
 template <>

@@ -41,6 +41,7 @@ class EventReader {
     }
     demand(node, Field::kind);
     demand(node, Field::line);
+    if (result_.event.hole) result_.event.hole->axis = drilling_axis();
     if (strict_) complete(node);
     return std::move(result_);
   }
@@ -48,6 +49,17 @@ class EventReader {
  private:
   void demand(const Node& node, Field field) const {
     if (!result_.fields.has(field)) read_.fail(node.at, "event: without " + std::string(field_name(field)));
+  }
+
+  // The linear axis that the position of a hole lacks; where it lacks none, as the text of a controller may, the last.
+  [[nodiscard]] std::size_t drilling_axis() const {
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+      if (!is_linear_axis(axes_.letter(i))) continue;
+      if (!result_.event.point.has(i)) return i;
+      last = i;
+    }
+    return last;
   }
 
   // What a kind of event must have, in a case, and what it may have.
@@ -59,9 +71,9 @@ class EventReader {
     using F = Field;
     static const std::array<Shape, kNames<EventKind>.size()> shapes{{
         {{F::kind, F::line, F::type, F::cause},
-         {F::n,     F::programmed, F::point,   F::axes,   F::machine,     F::tool_axis, F::center,
-          F::plane, F::direction,  F::sweep,   F::radius, F::tool_center, F::contact,   F::normal,
-          F::shift, F::tool_shift, F::carrier, F::angle,  F::flat,        F::feed,      F::clauses}},
+         {F::n,          F::programmed, F::point, F::axes,   F::machine,     F::unknown, F::tool_axis, F::center,
+          F::plane,      F::direction,  F::sweep, F::radius, F::tool_center, F::contact, F::normal,    F::shift,
+          F::tool_shift, F::carrier,    F::angle, F::flat,   F::feed,        F::clauses}},
         {{F::kind, F::line, F::t}, {F::n, F::point, F::axes, F::machine, F::tool_axis, F::clauses}},
         {{F::kind, F::line, F::number}, {F::n, F::cause, F::message, F::clauses}},
         {{F::kind, F::line, F::number}, {F::n, F::message, F::clauses}},
@@ -69,6 +81,7 @@ class EventReader {
         {{F::kind, F::line, F::clause}, {F::n, F::permitted, F::reason, F::clauses}},
         {{F::kind, F::line, F::code}, {F::n, F::message, F::clauses}},
         {{F::kind, F::line, F::code}, {F::n, F::message, F::clauses}},
+        {{F::kind, F::line, F::point, F::r, F::bottom, F::level, F::axes}, {F::n, F::clauses}},
     }};
     return shapes[static_cast<std::size_t>(kind)];
   }
@@ -208,6 +221,20 @@ class EventReader {
     return list;
   }
 
+  std::uint16_t letters(const Node& node) const {
+    std::uint16_t axes = 0;
+    read_.expect(node, Kind::array, "unknown");
+    for (const Node& item : node.items) {
+      const std::string& letter = read_.string(item, "unknown");
+      const std::size_t axis = letter.size() == 1 ? axes_.index(letter[0]) : Axes::kNone;
+      if (axis != Axes::kNone)
+        axes = static_cast<std::uint16_t>(axes | 1U << axis);
+      else if (strict_)
+        read_.fail(item.at, "unknown: " + in_quotes(letter) + " is no axis of the setup");
+    }
+    return axes;
+  }
+
   AlarmCause alarm_cause(const Node& node) const {
     const std::optional<AlarmCause> cause = find_alarm(read_.string(node, "cause"));
     if (!cause)
@@ -247,6 +274,11 @@ class EventReader {
   }
 
   // What a controller leaves out reads 0.
+  Hole<NumberText>& hole() {
+    const NumberText zero{"0", {}, {}};
+    if (!result_.event.hole) result_.event.hole = {0, zero, zero, zero};
+    return *result_.event.hole;
+  }
   SpaceCompensation<NumberText>& space() {
     const NumberText zero{"0", {}, {}};
     if (!result_.event.space)
@@ -294,6 +326,9 @@ class EventReader {
       case Field::machine:
         event.machine = values(node, field);
         break;
+      case Field::unknown:
+        event.unknown = letters(node);
+        break;
       case Field::tool_axis:
         event.tool_axis = numbers<3>(node, field);
         break;
@@ -340,6 +375,15 @@ class EventReader {
         break;
       case Field::feed:
         event.feed = number(node, field);
+        break;
+      case Field::r:
+        hole().point_r = number(node, field);
+        break;
+      case Field::bottom:
+        hole().bottom = number(node, field);
+        break;
+      case Field::level:
+        hole().level = number(node, field);
         break;
       case Field::number:
       case Field::clause:

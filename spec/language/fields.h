@@ -23,6 +23,7 @@ enum class Field : std::uint8_t {
   point,
   axes,
   machine,
+  unknown,
   tool_axis,
   center,
   plane,
@@ -38,6 +39,9 @@ enum class Field : std::uint8_t {
   angle,
   flat,
   feed,
+  r,
+  bottom,
+  level,
   number,
   code,
   message,
@@ -49,11 +53,12 @@ enum class Field : std::uint8_t {
   reason,
   clauses,
 };
-inline constexpr std::array<std::string_view, 34> kFieldNames{
-    "kind",      "line",       "n",       "type",      "cause",     "programmed", "point",       "axes",    "machine",
-    "tool_axis", "center",     "plane",   "direction", "sweep",     "radius",     "tool_center", "contact", "normal",
-    "shift",     "tool_shift", "carrier", "angle",     "flat",      "feed",       "number",      "code",    "message",
-    "name",      "value",      "t",       "clause",    "permitted", "reason",     "clauses"};
+inline constexpr std::array<std::string_view, 38> kFieldNames{
+    "kind",        "line",    "n",         "type",      "cause",      "programmed", "point",   "axes",
+    "machine",     "unknown", "tool_axis", "center",    "plane",      "direction",  "sweep",   "radius",
+    "tool_center", "contact", "normal",    "shift",     "tool_shift", "carrier",    "angle",   "flat",
+    "feed",        "r",       "bottom",    "return",    "number",     "code",       "message", "name",
+    "value",       "t",       "clause",    "permitted", "reason",     "clauses"};
 
 constexpr std::string_view field_name(Field field) { return kFieldNames[static_cast<std::size_t>(field)]; }
 constexpr std::optional<Field> find_field(std::string_view name) {

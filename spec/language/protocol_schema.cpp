@@ -21,9 +21,9 @@ std::string_view hello_schema() {
       "description": "The fields of events it gives. With less than kind, line and one of point and axes, nothing is judged.",
       "type": "array",
       "items": { "enum": [
-        "kind", "line", "n", "type", "cause", "programmed", "point", "axes", "machine", "tool_axis", "center", "plane", "direction", "sweep",
-        "radius", "tool_center", "contact", "normal", "shift", "tool_shift", "carrier", "angle", "flat", "feed", "number", "message", "name",
-        "value", "t", "code", "clause", "permitted", "reason", "clauses"
+        "kind", "line", "n", "type", "cause", "programmed", "point", "axes", "machine", "unknown", "tool_axis", "center", "plane", "direction",
+        "sweep", "radius", "tool_center", "contact", "normal", "shift", "tool_shift", "carrier", "angle", "flat", "feed", "r", "bottom", "return",
+        "number", "message", "name", "value", "t", "code", "clause", "permitted", "reason", "clauses"
       ] }
     },
     "resolution": {

@@ -28,6 +28,7 @@ struct Program {
   std::string code;
   std::string moves;
   std::string open;
+  std::string holes;
 };
 
 std::string text_of(const Node& entry, std::string_view key, const std::string& otherwise = {}) {
@@ -42,7 +43,8 @@ std::vector<Program> programs() {
     const Node& entry = member.value;
     const std::string line = text_of(entry, "line");
     list.push_back({member.name, text_of(entry, "ends"), line.empty() ? line : line + ':' + text_of(entry, "column"),
-                    text_of(entry, "code"), text_of(entry, "moves"), text_of(entry, "open", "0")});
+                    text_of(entry, "code"), text_of(entry, "moves"), text_of(entry, "open", "0"),
+                    text_of(entry, "holes", "0")});
   }
   return list;
 }
@@ -70,6 +72,7 @@ TEST_P(Field, EndsAsItSays) {
     };
     EXPECT_EQ(count("move"), program.moves);
     EXPECT_EQ(count("undecided"), program.open);
+    EXPECT_EQ(count("hole"), program.holes);
     const json& last = events.back();
     if (whole) {
       EXPECT_TRUE(last.at("kind") != "alarm" && last.at("kind") != "not_supported" && last.at("kind") != "not_judged");

@@ -20,7 +20,8 @@ using worked::Rows;
 // "1 p G0 X22 Y46 Z120", the numbers are what the axes are sent to; cause, or cause and kind, may be left out of such a
 // row and are not looked at: "2 G0 X22 Y46 Z120", "2 X22 Y46 Z120". An arc goes on with "O" and its centre, "r" and two
 // radii where they differ, "w" and its sweep: "3 p G2 70 -40 O 10 -40 w 90". An alarm is "2 PS0033", a setting
-// "4 H1.wear=-2".
+// "4 H1.wear=-2". A hole is "5 hole 10 20 r 3 b -15 t 50 X10 Y20 Z150": position, point R, bottom, level of return,
+// axes.
 
 // A decimal rounded to `places`, ties up or down; -0 is 0.
 inline std::string rounded(const std::string& value, std::size_t places, bool ties_up = true) {
@@ -133,6 +134,7 @@ class Shown {
     }
     if (event_.kind != spec::EventKind::alarm && spec::ends_run(event_.kind))
       return line_ + ' ' + std::string(spec::name(event_.kind)) + ' ' + std::string(event_.number.view());
+    if (event_.hole) return hole();
     if (event_.kind != spec::EventKind::move) return line_ + ' ' + std::string(event_.number.view());
     const bool by_axes = head();
     by_axes ? axes() : point();
@@ -164,6 +166,19 @@ class Shown {
       const std::vector<std::string> figure{row_[place_].substr(1)};
       add(letter + as(event_.axes[axes_.index(letter)], figure, 0));
     }
+  }
+  std::string hole() {
+    add("hole");
+    for (std::size_t i = 0; i < axes_.size(); ++i)
+      if (event_.point.has(i)) add(event_.point[i]);
+    add("r");
+    add(event_.hole->point_r);
+    add("b");
+    add(event_.hole->bottom);
+    add("t");
+    add(event_.hole->level);
+    axes();
+    return line_;
   }
   void point() {
     for (const char letter : {'X', 'Y', 'Z'})

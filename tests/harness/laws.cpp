@@ -159,7 +159,7 @@ model::Event& last_move(Events& events) {
 }
 model::Event& at_line(Events& events, std::uint64_t line, spec::EventKind kind = spec::EventKind::move) {
   for (model::Event& event : events)
-    if (event.kind == kind && event.line == line) return event;
+    if ((event.kind == kind || event.hole) && event.line == line) return event;
   throw std::logic_error("no such event");
 }
 template <std::uint64_t line, std::size_t axis>
@@ -169,6 +169,15 @@ void shift_point(Events& events) {
 template <std::uint64_t line>
 void shift_axes(Events& events) {
   at_line(events, line).axes.value[2] += Real(1);
+}
+template <std::uint64_t line, Real spec::Hole<Real>::* level>
+void shift_level(Events& events) {
+  (*at_line(events, line).hole).*level += Real(1);
+}
+void leave_out_a_hole(Events& events) {
+  std::erase_if(events, [one = true](const model::Event& e) mutable {
+    return e.hole && e.line == 3 && std::exchange(one, false);
+  });
 }
 void shorten_vector(Events& events) {
   model::Event& event = at_line(events, 3);
@@ -213,6 +222,12 @@ struct Example {
   spec::Case c;
   Break wrong;
 };
+
+spec::Case row_of_holes() {
+  return fanuc("canned-cycle",
+               "G90 G00 X10. Y20. Z50. G43 H1\nG99 G81 X30. R5. Z-10. F100\nG91 X5. K3\nG98 Y7. R-30. Z-12.\n"
+               "G80 G00 Z1.\n");
+}
 
 std::vector<Example> examples() {
   const spec::Case conventional = head("G90 G43.4 H1 P0\nG01 F100 X20. Y-20. B20. C45.\nX50. B40. C60.\n");
@@ -259,6 +274,12 @@ std::vector<Example> examples() {
          return c;
        }(),
        change_setting},
+      {"hole-where-commanded", row_of_holes(), shift_point<2, 0>},
+      {"hole-where-commanded", row_of_holes(), leave_out_a_hole},
+      {"hole-levels", row_of_holes(), shift_level<2, &spec::Hole<Real>::point_r>},
+      {"hole-levels", row_of_holes(), shift_level<3, &spec::Hole<Real>::bottom>},
+      {"hole-levels", row_of_holes(), shift_level<4, &spec::Hole<Real>::level>},
+      {"hole-axes", row_of_holes(), shift_axes<2>},
       {"axis-of-the-positions", table(kByPositions), turn_axis},
       {"axis-of-the-positions", head(kByDirection), lean_samples},
       {"tip-of-the-axes", table(kByPositions), shift_machine},

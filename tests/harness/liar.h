@@ -133,6 +133,12 @@ std::vector<Place> places(std::vector<spec::Event<Number>>& events, const spec::
         other("flat", [&e] { e.space->contact->flat = !e.space->contact->flat; });
       }
     }
+    if (e.hole) {
+      one("r", Measure::length, e.hole->point_r);
+      one("bottom", Measure::length, e.hole->bottom);
+      one("return", Measure::length, e.hole->level);
+    }
+    if (e.unknown != 0) other("unknown", [&e] { e.unknown = 0; });
     if (e.feed) one("feed", Measure::exact, *e.feed);
   }
   return all;

@@ -12,9 +12,9 @@ void ModalState::select_plane(spec::Plane plane) {
     if (axis != spec::Axes::kNone) plane_axes_ = static_cast<Mask>(plane_axes_ | bit(axis));
 }
 
-std::size_t ModalState::normal_axis() const {
-  if (plane_ == spec::Plane::xy) return xyz_[2];
-  return plane_ == spec::Plane::zx ? xyz_[1] : xyz_[0];
+std::size_t ModalState::normal_axis(spec::Plane plane) const {
+  if (plane == spec::Plane::xy) return xyz_[2];
+  return plane == spec::Plane::zx ? xyz_[1] : xyz_[0];
 }
 
 }  // namespace toolcomp::fast

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Codes and values that stay in force: groups 01, 02, 03, G43.5, F.
+// Codes and values that stay in force: groups 01, 02, 03, G43.5, F. Group 09 is CannedCycle's.
 #pragma once
 
 #include <array>
@@ -79,7 +79,9 @@ class ModalState {
   [[nodiscard]] std::array<std::size_t, 2> axes_of(spec::Plane plane) const {
     return {xyz_[in_plane(plane, 0)], xyz_[in_plane(plane, 1)]};
   }
-  [[nodiscard]] std::size_t normal_axis() const;
+  // The axis at right angles to it, or to another.
+  [[nodiscard]] std::size_t normal_axis() const { return normal_axis(plane_); }
+  [[nodiscard]] std::size_t normal_axis(spec::Plane plane) const;
 
   // G91.
   [[nodiscard]] bool incremental() const { return incremental_; }

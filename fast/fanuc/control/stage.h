@@ -11,6 +11,7 @@
 #include "fast/basis/event.h"
 #include "fast/fanuc/control/control.h"
 #include "fast/fanuc/program/cutter_block.h"
+#include "fast/fanuc/program/cycle_command.h"
 #include "fast/fanuc/program/words.h"
 
 namespace toolcomp::fast {
@@ -24,6 +25,8 @@ struct Command {
   bool taken = false;       // a stage before in the list takes the moves of the block
   bool writes = false;      // G10, and its event is still to be sent
   OffsetMemory::Write write;
+  CycleCommand cycle;
+  const char* undecided = nullptr;  // the clause that leaves open what the block does
 };
 
 // What the move of a block has besides words. `extra`: it moves without axis words too.
@@ -97,7 +100,7 @@ class Stage {
     return AlarmCause::forbidden_in_compensation;
   }
   virtual void begin_leg(const Words& /*words*/) {}
-  // The block goes its own way: the stage learns of its codes alone.
+  // The block goes its own way: the stage learns of its codes alone. G37, holes.
   virtual void retire() {}
   // The workpiece system has changed.
   virtual void rename() {}

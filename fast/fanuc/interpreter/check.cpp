@@ -2,6 +2,7 @@
 // The alarms of commands, in the order of the specification (clause fanuc.program.alarm-order).
 #include <algorithm>
 #include <bit>
+#include <optional>
 
 #include "fast/basis/fault.h"
 #include "fast/fanuc/interpreter/interpreter.h"
@@ -10,7 +11,6 @@ namespace toolcomp::fast {
 
 Alarm Interpreter::check(const Words& words, Command& command) const {
   const OffsetMemory& memory = control_.memory;
-  const ModalState& modal = control_.modal;
   const Code one_shot = words.code(Words::kOneShot);
   if (words.code(Words::kCompensation) != kNone)
     for (const auto& stage : asked_)
@@ -23,20 +23,20 @@ Alarm Interpreter::check(const Words& words, Command& command) const {
   if (words.code(Words::kWorkpiece) != kNone && words.workpiece() == Words::kNoSystem)
     return AlarmCause::workpiece_number;
 
-  const bool along_before = control_.positions.along_tool();
-  command.motion = words.code(Words::kMotion) == kNone ? modal.motion() : words.code(Words::kMotion);
-  if (cuts(words, command.motion) && lacks_feed(words)) return AlarmCause::no_feed;
-  const Code length = words.code(Words::kLength);
-  command.along = words.starts_tip_control() || (along_before && length != 490);
-  command.vector = length == 435 || (modal.by_vector() && length != 434 && length != 490);
-  command.ends_along = along_before && (length == 490 || words.starts_tip_control());
-  for (const auto& stage : asked_) stage->read(words, command);
+  read_command(words, command);
+  const bool feeds = command.cycle.on() ? command.cycle.makes_holes() : cuts(words, command.motion);
+  if (feeds && lacks_feed(words)) return AlarmCause::no_feed;
+  std::optional<Words> still;
+  const Words& of_stages = for_stages(words, command, still);
+  for (const auto& stage : asked_) stage->read(of_stages, command);
 
-  if (words.starts_tip_control() || along_before)
+  if (words.starts_tip_control() || control_.positions.along_tool())
     if (const Alarm a = check_tip_control(words, command)) return a;
+  if (command.cycle.on())
+    if (const Alarm a = check_cycle(words, command); a || command.undecided != nullptr) return a;
   for (const auto& stage : asked_)
     if (stage->concerned())
-      if (const Alarm a = stage->check(words, command)) return a;
+      if (const Alarm a = stage->check(of_stages, command)) return a;
   if (one_shot == 370)
     if (const Alarm a = check_measurement(words)) return a;
   if (words.writes_origin() && !names_origin(words, list)) return AlarmCause::g10_workpiece;
@@ -46,6 +46,44 @@ Alarm Interpreter::check(const Words& words, Command& command) const {
   if (one_shot == 290 && is_30i_ && !control_.positions.has_intermediate(words.axes()))
     return AlarmCause::no_intermediate_point;
   return AlarmCause::none;
+}
+
+const Words& Interpreter::for_stages(const Words& words, const Command& command, std::optional<Words>& still) {
+  if (!command.cycle.on() || words.shifts_coordinates()) return words;
+  return still.emplace(words.naming_no_axis());
+}
+
+void Interpreter::read_command(const Words& words, Command& command) const {
+  const ModalState& modal = control_.modal;
+  const Code motion = words.code(Words::kMotion);
+  command.motion = motion == kNone ? modal.motion() : motion;
+  const Code plane = words.code(Words::kPlane);
+  command.cycle = cycle_.read(words, modal.normal_axis(plane == kNone ? modal.plane() : plane_of(plane)));
+  const bool along_before = control_.positions.along_tool();
+  const Code length = words.code(Words::kLength);
+  command.along = words.starts_tip_control() || (along_before && length != 490);
+  command.vector = length == 435 || (modal.by_vector() && length != 434 && length != 490);
+  command.ends_along = along_before && (length == 490 || words.starts_tip_control());
+}
+
+Alarm Interpreter::check_cycle(const Words& words, Command& command) const {
+  const Code one_shot = words.code(Words::kOneShot);
+  if (one_shot >= 280 && one_shot <= 301) return AlarmCause::reference_in_cycle;
+  bool before = false;
+  bool in_plane = false;
+  bool in_space = false;
+  for (const auto& stage : asked_) {
+    before |= stage->on_before();
+    if (stage->on_after()) (stage->in_space() ? in_space : in_plane) = true;
+  }
+  if (in_space) return AlarmCause::forbidden_in_compensation;
+  if (in_plane) return AlarmCause::forbidden_in_cutter_compensation;
+  // A vector on before the block goes in it, or waits to go.
+  if (before || !cycle_.is_said(words, command.cycle)) {
+    command.undecided = "fanuc.canned-cycle.not-said";
+    return AlarmCause::none;
+  }
+  return cycle_.lacks_depth_of_cut(words, command.cycle) ? AlarmCause::cycle_without_depth_of_cut : AlarmCause::none;
 }
 
 bool Interpreter::lacks_feed(const Words& words) const {

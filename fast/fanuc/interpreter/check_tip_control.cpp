@@ -9,7 +9,7 @@ Alarm Interpreter::check_tip_control(const Words& words, const Command& command)
   const ToolAttitude& attitude = control_.attitude;
   const Code length = words.code(Words::kLength);
   const Code one_shot = words.code(Words::kOneShot);
-  const bool forbidden = one_shot != kNone && one_shot != 40 && one_shot != 100;
+  const bool forbidden = (one_shot != kNone && one_shot != 40 && one_shot != 100) || command.cycle.on();
   const bool in_plane = words.code(Words::kCompensation) == 410 || words.code(Words::kCompensation) == 420;
   if (command.along && (forbidden || in_plane || words.code(Words::kWorkpiece) != kNone || words.writes_origin()))
     return AlarmCause::forbidden_under_tool_direction;

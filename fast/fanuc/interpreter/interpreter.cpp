@@ -12,6 +12,7 @@ Interpreter::Interpreter(const spec::Setup& setup, Control& control, const Stage
       is_30i_(setup.series == spec::Series::series_30i),
       stages_(stages),
       measurement_(setup),
+      cycle_(setup),
       shifts_system_(setup.bit(5006, 6)),
       sink_(sink),
       moves_(&sink),
@@ -31,6 +32,10 @@ bool Interpreter::release_held() {
   for (const auto& stage : stages_)
     if (!control_.stopped) stage->release();
   return control_.stopped;
+}
+
+void Interpreter::leave_open(const char* clause) {
+  if (!release_held()) control_.end({AlarmCause::none, clause, control_.line, control_.n});
 }
 
 // A command alarm: what is held goes out as if the block and everything after it were absent. A block held may then
@@ -89,6 +94,10 @@ Alarm Interpreter::block_with_commands(const Words& words) {
   asked_ = asks ? std::span(stages_) : std::span<const std::unique_ptr<Stage>>();
   Command command;
   if (const Alarm a = check(words, command)) return a;
+  if (command.undecided != nullptr) [[unlikely]] {
+    leave_open(command.undecided);
+    return AlarmCause::none;
+  }
   const Alarm alarm = apply(words, command);
   if (!asks) return alarm;
   on_ = nullptr;
@@ -120,8 +129,10 @@ void Interpreter::block(const spec::Block& block) {
     return raise(AlarmCause::address_repeated);
   if (on_ != nullptr && !on_->on()) [[unlikely]]
     on_ = nullptr;
-  // Of an edited value or a length offset taken away: any block with words may bring it.
-  const bool waits = control_.positions.length().pending() || (on_ != nullptr && control_.cutter_value.takes_edited());
+  // Of an edited value or a length offset taken away: any block with words may bring it. In the drilling mode words do
+  // not move.
+  const bool waits =
+      control_.positions.length().pending() || cycle_.on() || (on_ != nullptr && control_.cutter_value.takes_edited());
   if (!words.plain() || waits) [[unlikely]]
     return other_block(words);
   if (const Alarm a = plain_block(words, on_)) [[unlikely]]
@@ -159,15 +170,17 @@ Alarm Interpreter::apply(const Words& words, Command& command) {
   BlockArc arc;
   if (const Alarm a = take_arc(words, arc)) return a;
   std::optional<Shifts> shifts;
-  if (words.is_tool_offset())
+  if (words.is_tool_offset() && !command.cycle.on())
     if (const Alarm a = plan_tool_offset(words, arc, shifts.emplace())) return a;
 
   if (!shifts_system_)
     if (const Alarm a = take_length(words, command, extra)) return a;
   control_.cutter_value.take_number(words);
   Stage* through = nullptr;
+  std::optional<Words> still;
+  const Words& of_stages = for_stages(words, command, still);
   for (const auto& stage : asked_) {
-    if (const Alarm a = stage->take(words, command)) return a;
+    if (const Alarm a = stage->take(of_stages, command)) return a;
     if (control_.stopped) return AlarmCause::none;
     if (through == nullptr && stage->takes_moves()) through = stage.get();
   }
@@ -185,6 +198,7 @@ void Interpreter::take_codes(const Words& words, const Command& command) {
   if (const Code code = words.code(Words::kUnits); code != kNone) control_.units.select(code);
   if (const Code code = words.code(Words::kFeedMode); code != kNone) modal.set_feed_mode(code == 940);
   if (words.has('F')) set_feed(words);
+  cycle_.take(words, command.cycle, control_.units, modal.incremental());
   if (command.ends_along) {
     control_.attitude.end(command.along);
     send_to(sink_);
@@ -199,7 +213,7 @@ void Interpreter::take_codes(const Words& words, const Command& command) {
 }
 
 Alarm Interpreter::take_arc(const Words& words, BlockArc& arc) const {
-  if (control_.modal.motion() <= 10) return AlarmCause::none;
+  if (control_.modal.motion() <= 10 || cycle_.on()) return AlarmCause::none;
   const bool made = std::ranges::any_of(asked_, [&](const auto& stage) { return stage->makes_arc(words); });
   const bool judged = std::ranges::any_of(asked_, [](const auto& stage) { return stage->judges_arc_about_start(); });
   return control_.plan_arc(words, arc, !made, judged);
@@ -212,7 +226,8 @@ Alarm Interpreter::take_length(const Words& words, const Command& command, bool&
   ToolAttitude& attitude = control_.attitude;
   length.begin_block();
   if (const Alarm a = length.restore(words, control_.memory)) return a;
-  if (const Alarm a = length.apply(words, control_.memory, control_.modal.normal_axis())) return a;
+  const Mask named = command.cycle.drills ? bit(command.cycle.axis) : words.axes();
+  if (const Alarm a = length.apply(words, control_.memory, control_.modal.normal_axis(), named)) return a;
   if (length.changed()) positions.make_stale();
   if (command.along) attitude.take_length();
   if (shifts_system_ && !shift_system()) return AlarmCause::none;
@@ -246,12 +261,12 @@ bool Interpreter::shift_system() {
   const bool compensated =
       std::ranges::any_of(asked_, [](const auto& stage) { return stage->on_before() || stage->on_after(); });
   if (!shifted || !compensated) return true;
-  if (!release_held())
-    control_.end({AlarmCause::none, "fanuc.length-offset.shifted-in-compensation", control_.line, control_.n});
+  leave_open("fanuc.length-offset.shifted-in-compensation");
   return false;
 }
 
 Alarm Interpreter::move(const Words& words, const Command& command, Stage* stage, const OwnMove& own) {
+  if (command.cycle.drills) return drill(words, command.cycle, stage, own.extra);
   if (words.axes() != 0) switch (own.one_shot) {
       case 280:
       case 300:

@@ -5,10 +5,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "fast/basis/alarm.h"
 #include "fast/basis/event.h"
+#include "fast/fanuc/canned_cycle/canned_cycle.h"
 #include "fast/fanuc/control/control.h"
 #include "fast/fanuc/control/stage.h"
 #include "fast/fanuc/control/usual_tip_lines.h"
@@ -43,7 +45,8 @@ class Interpreter final : public BlockTaker {
   [[nodiscard]] bool wakes_stages(const Words& words) const;
   [[nodiscard]] Alarm apply(const Words& words, Command& command);
   void take_codes(const Words& words, const Command& command);
-  // Whether a block moves by G01, G02 or G03 with words of its own; `motion`: the code of group 01 then.
+  // Whether a block outside the drilling mode moves by G01, G02 or G03 with words of its own; `motion`: the code of
+  // group 01 then.
   [[nodiscard]] static bool cuts(const Words& words, Code motion) {
     if (motion == 0 || (words.code(Words::kOneShot) != kNone && !words.is_tool_offset())) return false;
     return words.axes() != 0 || (motion > 10 && words.has_any(Words::set_of("IJKR")));
@@ -63,6 +66,8 @@ class Interpreter final : public BlockTaker {
   void set_feed(const Words& words) { control_.modal.set_feed(control_.units.feed(words['F'])); }
   void send_to(EventSink& sink);
   void raise(Alarm alarm, const char* more = nullptr);
+  // The run ends undecided at the block, which is absent from the path.
+  void leave_open(const char* clause);
   // Everything a stage holds goes out; true if that ended the run.
   [[nodiscard]] bool release_held();
 
@@ -73,15 +78,30 @@ class Interpreter final : public BlockTaker {
 
   // check.cpp: the alarms of commands, in their order.
   [[nodiscard]] Alarm check(const Words& words, Command& command) const;
+  void read_command(const Words& words, Command& command) const;
+  // The words as stages see them; `still` holds those of a block in the drilling mode.
+  [[nodiscard]] static const Words& for_stages(const Words& words, const Command& command, std::optional<Words>& still);
   [[nodiscard]] Alarm check_measurement(const Words& words) const;
   [[nodiscard]] Alarm check_offset_write(const Words& words, std::uint32_t list, Command& command) const;
   [[nodiscard]] static bool names_origin(const Words& words, std::uint32_t list);
   [[nodiscard]] std::uint32_t reference_point(const Words& words) const;
+  // Of a block in the drilling mode; where it is left undecided none, and the clause in the command.
+  [[nodiscard]] Alarm check_cycle(const Words& words, Command& command) const;
   // check_tip_control.cpp
   [[nodiscard]] Alarm check_tip_control(const Words& words, const Command& command) const;
   [[nodiscard]] Alarm check_tip_control_start(const Words& words, const Command& command, bool in_space) const;
   // Of the words that move, under G43.4 or G43.5. `stage`: the one that is on in space, or nullptr.
   [[nodiscard]] Alarm check_tip_move(const Words& words, Code motion, bool vector, const Stage* stage) const;
+
+  // canned_cycles.cpp: blocks that drill. `extra`: one with K0 moves by a change of its length offset.
+  [[nodiscard]] Alarm drill(const Words& words, const CycleCommand& command, Stage* stage, bool extra);
+  [[nodiscard]] Alarm send_holes(const Words& words, const CycleCommand& command);
+  // The position range of so many holes, each `travel` further.
+  [[nodiscard]] Alarm check_holes(Mask axes, const Positions& travel, std::uint32_t holes) const;
+  // What is the same of all holes of a block; POSITION_RANGE.
+  [[nodiscard]] Alarm begin_hole(Event& event, std::size_t axis, const HoleLevels& levels) const;
+  // Where the axes stand behind it.
+  void fill_hole(Event& event) const;
 
   // machine_moves.cpp: G53, G28, G30, G30.1, G29, G54 to G59, G54.1, G10 L2 L20.
   [[nodiscard]] Alarm to_machine_position(const Words& words, Stage* stage);
@@ -107,6 +127,7 @@ class Interpreter final : public BlockTaker {
   const Stages& stages_;
   std::span<const std::unique_ptr<Stage>> asked_;  // to which a block with commands is shown: all of them, or none
   ToolLengthMeasurement measurement_;
+  CannedCycle cycle_;
   bool shifts_system_;  // 5006#6, TOS
   EventSink& sink_;
   EventSink* moves_;  // where uncompensated moves go

@@ -31,11 +31,16 @@ bool is_one_shot(std::uint64_t tenths) {
   }
 }
 
+// G80 ends the others.
+bool is_cycle(std::uint64_t tenths) {
+  const bool drills_or_taps = tenths == 730 || tenths == 740 || tenths == 760;
+  return drills_or_taps || (tenths >= 800 && tenths <= 890 && tenths % 10 == 0);
+}
+
 // Codes that change no path of what is built: cancels of what is not, and how fast and exactly a path is run.
 bool is_without_effect(std::uint64_t tenths) {
-  constexpr std::array<std::uint16_t, 29> kCodes{50,  51,  80,  90,  110, 131, 150,  220,  230, 250,
-                                                 401, 500, 501, 502, 610, 611, 620,  630,  640, 670,
-                                                 690, 800, 960, 970, 980, 990, 1130, 1500, 1600};
+  constexpr std::array<std::uint16_t, 26> kCodes{50,  51,  80,  90,  110, 131, 150, 220, 230, 250, 401,  500,  501,
+                                                 502, 610, 611, 620, 630, 640, 670, 690, 960, 970, 1130, 1500, 1600};
   return std::ranges::binary_search(kCodes, tenths);
 }
 
@@ -105,7 +110,11 @@ std::size_t group_of(std::uint64_t tenths) {
     case 940:
     case 950:
       return Words::kFeedMode;
+    case 980:
+    case 990:
+      return Words::kReturn;
     default:
+      if (is_cycle(tenths)) return Words::kCycle;
       return is_one_shot(tenths) ? Words::kOneShot : Words::kGroups;
   }
 }
@@ -135,7 +144,7 @@ void Words::g_word(const spec::Decimal& value) {
 
 void Words::set_code(std::uint64_t tenths) {
   const std::size_t group = group_of(tenths);
-  if (group < kOneShot || group == kFeedMode) {
+  if (group != kOneShot && group != kGroups) {
     code_[group] = static_cast<Code>(tenths);
     return;
   }
@@ -209,6 +218,9 @@ void Words::m_word(const spec::Decimal& value) {
       end_ = true;
       break;
     case 98:
+      calls_by_l_ = true;
+      calls_ = true;
+      break;
     case 99:
       calls_ = true;
       break;

@@ -72,6 +72,8 @@ class Words {
     kWorkpiece,
     kOneShot,
     kFeedMode,
+    kCycle,
+    kReturn,
     kGroups
   };
 
@@ -105,6 +107,16 @@ class Words {
   [[nodiscard]] std::uint16_t axes() const { return axes_; }
   // A code stands in the block to which its axis letters, P and Q belong.
   [[nodiscard]] bool letters_are_data() const { return data_letters_; }
+  // L belongs to the M98 of the block.
+  [[nodiscard]] bool calls_by_l() const { return calls_by_l_; }
+  // The same block, its axis letters and I J K R as data: a block in the drilling mode moves nothing by them.
+  [[nodiscard]] Words naming_no_axis() const {
+    Words still = *this;
+    still.letters_ &= ~set_of("ABCIJKRUVWXYZ");
+    still.data_axes_ = axes_;
+    still.axes_ = 0;
+    return still;
+  }
   // The axes that are named as data of a code.
   [[nodiscard]] std::uint16_t data_axes() const { return data_axes_; }
   [[nodiscard]] const spec::Decimal& axis(std::size_t index) const { return *value_[axis_letters_.index[index]]; }
@@ -134,7 +146,8 @@ class Words {
   void m_word(const spec::Decimal& value);
   // P belongs to a code or an M98 or M99 of the block.
   [[nodiscard]] bool takes_p() const {
-    return data_letters_ || calls_ || code_[kOneShot] == 300 || starts_tip_control();
+    const bool drills = code_[kCycle] != kNone && code_[kCycle] != 800;
+    return data_letters_ || calls_ || code_[kOneShot] == 300 || starts_tip_control() || drills;
   }
 
   const AxisLetters& axis_letters_;
@@ -147,6 +160,7 @@ class Words {
   bool data_letters_ = false;
   bool high_speed_ = false;  // G05
   bool calls_ = false;       // M98, M99
+  bool calls_by_l_ = false;  // M98
   bool spindle_ = false;     // G96, G97, G160
   bool any_ = false;
   bool plain_ = true;

@@ -98,7 +98,7 @@ Alarm ToolLengthOffset::restore(const Words& words, const OffsetMemory& memory) 
   return AlarmCause::none;
 }
 
-std::uint16_t ToolLengthOffset::affected(const Words& words, Code code, std::size_t normal) const {
+std::uint16_t ToolLengthOffset::affected(Code code, std::size_t normal, std::uint16_t named) const {
   switch (type_) {
     case Type::a:
       return z_ == spec::Axes::kNone ? std::uint16_t{0} : bit(z_);
@@ -107,10 +107,10 @@ std::uint16_t ToolLengthOffset::affected(const Words& words, Code code, std::siz
     case Type::c:
       break;
   }
-  return code == kNone ? last_ : static_cast<std::uint16_t>(words.axes() & linear_);
+  return code == kNone ? last_ : static_cast<std::uint16_t>(named & linear_);
 }
 
-Alarm ToolLengthOffset::apply(const Words& words, const OffsetMemory& memory, std::size_t normal) {
+Alarm ToolLengthOffset::apply(const Words& words, const OffsetMemory& memory, std::size_t normal, std::uint16_t named) {
   const Code code = words.code(Words::kLength);
   const bool has_h = words.has('H');
   if (code == kNone && !has_h) [[likely]]
@@ -136,7 +136,7 @@ Alarm ToolLengthOffset::apply(const Words& words, const OffsetMemory& memory, st
     mode_ = mode;
     return AlarmCause::none;
   }
-  const std::uint16_t axes = mode == Mode::along_tool ? std::uint16_t{0} : affected(words, code, normal);
+  const std::uint16_t axes = mode == Mode::along_tool ? std::uint16_t{0} : affected(code, normal, named);
   if (sets && mode != Mode::along_tool) {
     if (const Alarm a = check(axes)) return a;
   }

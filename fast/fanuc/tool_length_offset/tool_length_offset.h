@@ -41,9 +41,9 @@ class ToolLengthOffset {
 
   // The restoration that becomes due at any block with words (EVO).
   Alarm restore(const Words& words, const OffsetMemory& memory);
-  // G43 G44 G43.4 G43.5 G49 and H of a block; `normal` is the axis normal to the plane in force. On an alarm nothing
-  // changes.
-  Alarm apply(const Words& words, const OffsetMemory& memory, std::size_t normal);
+  // G43 G44 G43.4 G43.5 G49 and H of a block; `normal` is the axis normal to the plane in force, `named` the axes that
+  // the block names for type C. On an alarm nothing changes.
+  Alarm apply(const Words& words, const OffsetMemory& memory, std::size_t normal, std::uint16_t named);
   // G53, G28, G30, G30.1 on this axis: its vector goes to 0, the mode stays.
   void cancel(std::size_t axis);
   // G10 changed the value of an H number.
@@ -60,7 +60,7 @@ class ToolLengthOffset {
   void set(std::size_t axis, const Count& value);
   void set_length(const Count& value);
   [[nodiscard]] Count signed_value(const Count& value, Mode mode) const { return mode == Mode::minus ? -value : value; }
-  [[nodiscard]] std::uint16_t affected(const Words& words, Code code, std::size_t normal) const;
+  [[nodiscard]] std::uint16_t affected(Code code, std::size_t normal, std::uint16_t named) const;
 
   Type type_ = Type::a;
   bool ofh_ = false;

@@ -17,6 +17,9 @@ using spec::klartext::ReferenceWord;
 using spec::klartext::Statement;
 using spec::klartext::ToolWord;
 
+constexpr const char* kUnknownPosition =
+    "an unknown position (after M140 MB MAX, or a departure from a contour) is not judged";
+
 bool has_functions(Statement statement) {
   return statement == Statement::line || statement == Statement::line_with_vectors || statement == Statement::stop ||
          statement == Statement::miscellaneous;
@@ -158,7 +161,7 @@ void Interpreter::raise(AlarmCause cause, const char* more) {
 }
 
 void Interpreter::raise(const Alarm& alarm) {
-  if (!stopped_) raise(alarm.cause, nullptr);
+  if (!stopped_) raise(alarm.cause, alarm.cause == AlarmCause::not_judged ? kUnknownPosition : nullptr);
 }
 
 void Interpreter::raise_at_held(const Alarm& alarm) {

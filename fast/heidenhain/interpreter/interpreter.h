@@ -39,6 +39,7 @@ class Interpreter {
   };
   using Functions = unsigned;
   static constexpr std::size_t kSlots = spec::klartext::kAxisLetters.size();
+  static constexpr unsigned kMainSlots = 0b111U;  // X, Y, Z
 
   void start(const Block& block);
   [[nodiscard]] static Functions functions(const Block& block);
@@ -87,6 +88,16 @@ class Interpreter {
   void plain_motion();
   void out_of_scope();
 
+  // retraction.cpp: blocks that move without axis words, and positions that nobody knows.
+  [[nodiscard]] static bool moves_without_words(const Block& block);
+  [[nodiscard]] Alarm place_without_words(const Block& block);
+  [[nodiscard]] Alarm retract(const Block& block, std::array<Count, 3>& way, double& slack);
+  // What the words of a block, placed, leave of positions that are unknown or rounded; not_judged where it needs one
+  // that is unknown.
+  [[nodiscard]] Alarm settle(const Block& block);
+  [[nodiscard]] bool needs_unknown(const Block& block, unsigned before) const;
+  void set_unknown(unsigned slots);
+
   // lines.cpp
   [[nodiscard]] bool may_be_face_lines(const LineChunk& chunk) const;
 
@@ -121,8 +132,15 @@ class Interpreter {
   std::array<Count, kSlots> position_;
   std::array<Count, kSlots> shift_;  // datum shift of cycle 7
   bool shifted_ = false;
-  // X, Y, Z before the block, where travel is wanted: small_from_ if all three are small, else from_.
+  // Of X, Y, Z, bit by slot: nobody knows where it stands; behind M140 it is not a decimal and has been rounded to a
+  // count, by `slack_` units at most.
+  std::uint16_t unknown_ = 0;
+  std::uint16_t rounded_ = 0;
+  double slack_ = 0;
+  // X, Y, Z before the block, where travel is wanted: small_from_ if all three are small and exact, else from_, off by
+  // from_slack_.
   bool from_small_ = false;
+  double from_slack_ = 0;
   std::array<std::int64_t, 3> small_from_{};
   std::array<Count, 3> from_;
 

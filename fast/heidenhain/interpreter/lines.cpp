@@ -22,7 +22,7 @@ bool Interpreter::may_be_face_lines(const LineChunk& chunk) const {
   const bool turned = (chunk.words & kToolVector) != 0;
   return (chunk.words & ~kToolVector) == (kXyz | kNormal) && started_ && !stopped_ && !shifted_ && side_ == 0 &&
          !peripheral_.holds() && tool_.called() && tool_.deviations() == nullptr && (tcpm_ || !turned) &&
-         !tool_.check(true, oversize_) && face_.sees_contact();
+         !tool_.check(true, oversize_) && face_.sees_contact() && unknown_ == 0;
 }
 
 std::size_t Interpreter::lines(const LineChunk& chunk) {
@@ -46,6 +46,8 @@ std::size_t Interpreter::lines(const LineChunk& chunk) {
   }
   moves.append_lines(end.taken, chunk.line);
 
+  rounded_ = 0;
+  slack_ = 0;
   const std::size_t last = end.taken - 1;
   const std::array<std::int64_t, 3> at = whole(chunk, word_place('X'), last);
   for (std::size_t i = 0; i < 3; ++i) {

@@ -14,7 +14,6 @@ using spec::klartext::RadiusWord;
 
 constexpr std::size_t kRotarySlot = 3;  // A, B, C
 constexpr unsigned kRotarySlots = 0b111U << kRotarySlot;
-constexpr unsigned kMainSlots = 0b111U;  // X, Y, Z
 
 }  // namespace
 
@@ -44,7 +43,8 @@ void Interpreter::modal_words(const Block& block) {
 }
 
 inline void Interpreter::depart() {
-  from_small_ = position_[0].is_small() && position_[1].is_small() && position_[2].is_small();
+  from_slack_ = slack_;
+  from_small_ = slack_ == 0 && position_[0].is_small() && position_[1].is_small() && position_[2].is_small();
   for (std::size_t i = 0; i < 3; ++i) small_from_[i] = position_[i].small();
   if (!from_small_) [[unlikely]]
     from_ = {position_[0], position_[1], position_[2]};
@@ -59,7 +59,7 @@ inline void Interpreter::arrive(Displacement& travel) {
   }
   if (from_small_)
     for (std::size_t i = 0; i < 3; ++i) from_[i].set_small(small_from_[i]);
-  set_displacement(travel, from_, {position_[0], position_[1], position_[2]}, 0);
+  set_displacement(travel, from_, {position_[0], position_[1], position_[2]}, from_slack_);
 }
 
 // X, Y and Z as plain usual numbers: two of three divisions at once.
@@ -119,6 +119,8 @@ inline Alarm Interpreter::place(const Block& block, Functions functions) {
   }
   head_.rotary = static_cast<std::uint16_t>(rotary);
   head_.more_axes = static_cast<std::uint16_t>(rotary | parallel_axes_);
+  if ((unknown_ | rounded_) != 0) [[unlikely]]
+    if (const Alarm a = settle(block)) return a;
   if (travels) arrive(peripheral_.next().travel);
   return AlarmCause::none;
 }
@@ -126,6 +128,7 @@ inline Alarm Interpreter::place(const Block& block, Functions functions) {
 Alarm Interpreter::place_word(const Block& block, std::size_t slot, bool shifted) {
   Count value;
   if (!parameters_.read(block.axis[slot], value)) return AlarmCause::position_range;
+  if (block.is_incremental(slot) && (unknown_ >> slot & 1U) != 0) return AlarmCause::none;  // settle() ends the run
   if (block.is_incremental(slot))
     value += position_[slot];
   else if (shifted)
@@ -139,11 +142,15 @@ Alarm Interpreter::line(const Block& block, Functions functions) {
   modal_words(block);
   if (block.feed != FeedWord::none)
     if (const Alarm a = feed(block, false)) return a;
-  if (block.axes == 0) return AlarmCause::none;
+  if (block.axes == 0 && !moves_without_words(block)) return AlarmCause::none;
   head_.rapid = block.feed == FeedWord::f_max;
   head_.feed = feed_;
   head_.warnings = block.many_digits ? kDigits : 0;
-  if (const Alarm a = place(block, functions)) return a;
+  if (block.axes == 0) [[unlikely]] {
+    if (const Alarm a = place_without_words(block)) return a;
+  } else if (const Alarm a = place(block, functions)) {
+    return a;
+  }
   if ((block.axes & kRotarySlots) != 0) {
     by_vector_ = false;
     if (tcpm_) turn_by_positions();

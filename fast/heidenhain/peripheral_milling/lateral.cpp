@@ -38,6 +38,20 @@ Vector signed_unit(const Vector& v, int side) { return v * (side / std::sqrt(dot
 
 Vector nearest(const WideVector3& v) { return {v.x.to_double(), v.y.to_double(), v.z.to_double()}; }
 
+// |t x d| may be off by so much, where the ends of d are rounded: by themselves, and by the product.
+double rounding_of(const FineVector3& tool, const FineVector3& travel, double slack) {
+  const double t = length(tool).hi;
+  return t * (2 * slack + 0x1p-90 * length(travel).hi);
+}
+
+// The same of the direction, as an angle; 0 where the ends of d are exact.
+double angle_off(const Lateral& c) {
+  if (c.travel->slack == 0) return 0;
+  const FineVector3 tool = c.tool->fine();
+  const FineVector3 travel = fine(*c.travel);
+  return rounding_of(tool, travel, c.travel->slack) / length(cross(tool, travel)).hi;
+}
+
 // Of directions that are opposite but for a hair: c turned by a right angle within their plane, as long as the tangent
 // of half their angle, and c. Their sum is so short that it has lost its direction. `axis`: of the turn from c to c',
 // unit; `sine`: of their angle; `share`: 1 + c.c'.
@@ -53,6 +67,11 @@ bool lean_direction(const Lateral& made_from, Vector& c) {
   const FineVector3 v = cross(tool, travel);
   const double square = dot(nearest(tool), nearest(tool)) * dot(nearest(travel), nearest(travel));
   const double sine = dot(nearest(v), nearest(v)) / square;  // squared
+  if (const double slack = made_from.travel->slack; slack != 0) {
+    if (length(v).hi <= rounding_of(tool, travel, slack)) return false;
+    c = signed_unit(Vector(nearest(v)), made_from.side);
+    return true;
+  }
   if (made_from.tool->is_whole() && sine < 0x1p-80) {
     const WideVector3 exact = exact_cross(made_from);
     if (exact.x.sign() == 0 && exact.y.sign() == 0 && exact.z.sign() == 0) return false;
@@ -69,6 +88,7 @@ bool sharp_mitre(const Lateral& c, const Lateral& next, Vector& between) {
   const FineVector3 other = fine_unit(next);
   const FineVector3 sum = own + other;
   const DoubleDouble square = dot(sum, sum);  // 2 (1 + c.c')
+  if (const double off = angle_off(c) + angle_off(next); off != 0 && square.hi <= 4 * off * off) return false;
   if (square.hi >= 0x1p-80) {
     const DoubleDouble two{2, 0};
     between = Vector(nearest(FineVector3{two * sum.x / square, two * sum.y / square, two * sum.z / square}));

@@ -20,7 +20,7 @@ struct Lateral {
 [[nodiscard]] bool sharp_mitre(const Lateral& c, const Lateral& next, Vector& between);
 
 // c = side (t x d)/|t x d|, within a few ulps of 1; false where the tool is parallel to the movement or nothing moves,
-// exactly (turned tools: within 2^-90).
+// exactly (turned tools: within 2^-90; ends of travel that M140 has rounded: within what they may be off by).
 [[nodiscard]] inline bool direction_of(const Lateral& made_from, Vector& c) {
   if (made_from.travel->zero) [[unlikely]]
     return false;
@@ -53,7 +53,8 @@ struct Lateral {
   return true;
 }
 
-// (c + c')/(1 + c.c'), or false where both are opposite, exactly (turned tools: within 2^-85).
+// (c + c')/(1 + c.c'), or false where both are opposite, exactly (turned tools: within 2^-85; rounded ends of travel,
+// as above).
 [[gnu::always_inline, nodiscard]] inline bool mitre(const Vector& c, const Lateral& made_from, const Vector& next,
                                                     const Lateral& next_from, Vector& between) {
   const double share = 1 + dot(c, next);

@@ -28,7 +28,22 @@ EventWriter::EventWriter(const spec::Setup& setup, EventSink& sink)
 }
 
 void EventWriter::move(const MoveHead& head, const Placement& placement, const ToolLength& length, spec::Cause cause) {
-  send(plain_, head, placement, length, cause);
+  if (head.unknown != 0) [[unlikely]]
+    move_to_unknown(head, placement, length, cause);
+  else
+    send(plain_, head, placement, length, cause);
+}
+
+void EventWriter::move_to_unknown(const MoveHead& head, const Placement& placement, const ToolLength& length,
+                                  spec::Cause cause) {
+  warnings(head, head.warnings);
+  fill(plain_, head, placement, length, cause);
+  fast::Event event = plain_;
+  event.unknown = head.unknown;
+  event.space.reset();
+  for (spec::AxisValues<double>* values : {&event.programmed, &event.point, &event.axes})
+    values->present = static_cast<std::uint16_t>(values->present & ~head.unknown);
+  sink_.on(event);
 }
 
 void EventWriter::other_axes(fast::Event& event, const MoveHead& head) const {

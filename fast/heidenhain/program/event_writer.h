@@ -21,7 +21,8 @@ class EventWriter {
  public:
   EventWriter(const spec::Setup& setup, EventSink& sink);
 
-  // A move of a block without contact.
+  // A move of a block without contact. Where axes are unknown, without their coordinates and without vectors of the
+  // tool (heidenhain.program.unknown-position).
   void move(const MoveHead& head, const Placement& placement, const ToolLength& length, spec::Cause cause);
   // One with the contact in contact().
   [[nodiscard]] spec::Contact<double>& contact() { return *contact_.space->contact; }
@@ -37,6 +38,9 @@ class EventWriter {
  private:
   [[gnu::always_inline]] void send(fast::Event& event, const MoveHead& head, const Placement& placement,
                                    const ToolLength& length, spec::Cause cause);
+  [[gnu::always_inline]] void fill(fast::Event& event, const MoveHead& head, const Placement& placement,
+                                   const ToolLength& length, spec::Cause cause);
+  void move_to_unknown(const MoveHead& head, const Placement& placement, const ToolLength& length, spec::Cause cause);
   void other_axes(fast::Event& event, const MoveHead& head) const;
   void put_xyz(spec::AxisValues<double>& to, const Vector& v) const {
     if (in_order_) [[likely]] {
@@ -66,6 +70,12 @@ inline void EventWriter::send(fast::Event& event, const MoveHead& head, const Pl
                               const ToolLength& length, spec::Cause cause) {
   if (head.warnings != 0) [[unlikely]]
     warnings(head, head.warnings);
+  fill(event, head, placement, length, cause);
+  sink_.on(event);
+}
+
+inline void EventWriter::fill(fast::Event& event, const MoveHead& head, const Placement& placement,
+                              const ToolLength& length, spec::Cause cause) {
   event.line = head.line;
   event.n = head.n;
   event.type = head.rapid ? spec::MoveType::rapid : spec::MoveType::linear;
@@ -94,7 +104,6 @@ inline void EventWriter::send(fast::Event& event, const MoveHead& head, const Pl
   } else {
     space.carrier.reset();
   }
-  sink_.on(event);
 }
 
 }  // namespace toolcomp::fast::klartext

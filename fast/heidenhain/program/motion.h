@@ -30,6 +30,7 @@ struct MoveHead : BlockHead {
   std::optional<double> feed;                     // in force
   Vector xyz{0, 0, 0};                            // programmed
   std::uint16_t more_axes = 0;                    // bit by axis: with a value, but for X, Y, Z
+  std::uint16_t unknown = 0;                      // bit by axis: nobody knows where it stands; of no block that is held
   std::array<double, spec::kMaxAxes> position{};  // programmed, by axis, but for X, Y, Z
 
   // Only what counts, part by part.

@@ -40,6 +40,11 @@ class ToolVector {
   }
   void turn(std::size_t axis, const std::array<Count, 3>& degrees);
 
+  // Bit i: its component along X, Y or Z is not exactly 0.
+  [[nodiscard]] unsigned components() const;
+  // So far along the tool: from here to there, and by how many units of Count each of X, Y and Z may be off; 0: exact.
+  [[nodiscard]] double way(const Count& length, std::array<Count, 3>& xyz) const;
+
   // Only what counts.
   void copy(const ToolVector& other) {
     whole_ = other.whole_;

@@ -53,6 +53,11 @@ std::string tip_control_word(Choices& choose) {
                         "G41.3", "G40",   "D1",    "G02",    "R20.", "K100000."});
 }
 
+std::string cycle_word(Choices& choose) {
+  return choose.one_of({"G81", "G73", "G74", "G76", "G82",  "G83", "G84", "G85", "G86", "G87", "G88", "G89",
+                        "G80", "G98", "G99", "R2.", "R-3.", "Q1.", "Q0",  "K0",  "K2",  "K3",  "L2",  "Z-5."});
+}
+
 // Whether the section is about programs under G43.4 and G43.5.
 bool controls_the_tip(std::string_view section) {
   return section == "fanuc/tool-center-point-control" || section == "fanuc/tool-posture-control";
@@ -63,6 +68,7 @@ bool controls_the_tip(std::string_view section) {
 // One choice a statement: the order in which arguments are evaluated differs between compilers.
 std::string any_word(Choices& choose, const spec::Setup& setup, std::string_view section) {
   if (section == "fanuc/tool-side-compensation" && choose.chance(25)) return tool_side_word(choose);
+  if (section == "fanuc/canned-cycle" && choose.chance(35)) return cycle_word(choose);
   if (controls_the_tip(section) && choose.chance(40)) return tip_control_word(choose);
   switch (choose.weighted({30, 30, 12, 10, 8, 10})) {
     case 0:

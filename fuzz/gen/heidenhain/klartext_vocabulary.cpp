@@ -79,7 +79,8 @@ std::string any_klartext_word(Choices& choose) {
     case 3:
       return choose.one_of({"F100", "FMAX", "F MAX", "FAUTO", "F AUTO", "FZ0.1", "FU0.5", "F+Q1", "F"});
     case 4:
-      return choose.one_of({"M107", "M108", "M128", "M129", "M3", "M30", "M2", "M91", "M92", "M0", "M8", "M9999"});
+      return choose.one_of({"M107", "M108", "M128", "M129", "M3", "M30", "M2", "M91", "M92", "M0", "M8", "M9999",
+                            "M140 MB MAX", "M140 MB4"});
     case 5:
       return choose.one_of({"DL+0.1", "DR-0.1", "DR2:+0.3", "DR2-0.1", "DR:0", "S5000", "Z"});
     default:

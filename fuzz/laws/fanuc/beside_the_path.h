@@ -3,11 +3,11 @@
 // vector from the programmed point to the tool, T the tool (or the normal of the selected plane), U the displacement of
 // a block, and T × U points to its left.
 //
-// Common exemptions: blocks whose start is unknown (the first of the program, or coordinates were renamed) or that are
-// not displaced across T (arcs always are); programs with G37 or G45 to G48, which move the point by other vectors; for
-// distances programs with G10, G92, G53, G28, G29, G30, whose vectors follow rules of their own; cutter compensation
-// with 5001#2 = 1 (H may be its number) where the radius counts. Blocks shorter in the plane than 19630 are no
-// movement.
+// Common exemptions: blocks whose start is unknown (the first of the program or behind a hole, or coordinates were
+// renamed) or that are not displaced across T (arcs always are); programs with G37 or G45 to G48, which move the point
+// by other vectors; for distances programs with G10, G92, G53, G28, G29, G30, whose vectors follow rules of their own;
+// cutter compensation with 5001#2 = 1 (H may be its number) where the radius counts. Blocks shorter in the plane than
+// 19630 are no movement.
 #pragma once
 
 #include "fuzz/laws/fanuc/scene.h"
@@ -55,7 +55,8 @@ void on_the_path_without_a_mode(const FanucScene& scene, Holding& holding);
 
 // G92 names the place where the tool is: in an axis that it names nothing stands between the programmed point before it
 // and the tool, so the last vector before it has no component there. Cutter compensation C; where blocks with movements
-// come after it (what ends the run has none), and no other code of group 00 stands beside it.
+// come after it (what ends the run has none), no hole before it since that vector, and no other code of group 00 stands
+// beside it.
 void where_the_tool_is_said_to_be(const FanucScene& scene, Holding& holding);
 
 }  // namespace toolcomp::fuzz::laws

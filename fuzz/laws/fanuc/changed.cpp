@@ -57,7 +57,7 @@ std::optional<std::string> rewritten(const spec::Case& c, const ChangedWord& cha
 
 bool is_alike(const model::Event& a, const model::Event& b) {
   return a.kind == b.kind && a.line == b.line && a.type == b.type && a.cause == b.cause && a.number == b.number &&
-         a.arc.has_value() == b.arc.has_value();
+         a.arc.has_value() == b.arc.has_value() && a.hole.has_value() == b.hole.has_value();
 }
 
 bool is_open(std::span<const model::Event> events) {

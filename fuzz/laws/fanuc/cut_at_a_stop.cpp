@@ -42,6 +42,12 @@ std::vector<std::uint64_t> stops_of(const spec::Case& c) {
   return stops;
 }
 
+void compare(const spec::Hole<Real>& hole, const spec::Hole<Real>& other, std::size_t event, Holding& holding) {
+  holding.holds(hole.axis == other.axis, event, "the drilling axis before a stop, whatever follows");
+  for (const auto member : {&spec::Hole<Real>::point_r, &spec::Hole<Real>::bottom, &spec::Hole<Real>::level})
+    holding.zero(hole.*member - other.*member, event, "a level before a stop, less that with nothing behind it");
+}
+
 std::string up_to_line(const std::string& text, std::uint64_t line) {
   std::size_t end = 0;
   for (; line > 0 && end < text.size(); --line) end = std::min(text.find('\n', end), text.size() - 1) + 1;
@@ -58,10 +64,12 @@ void cut_at_a_stop(const spec::Case& c, std::span<const model::Event> events, co
     for (std::size_t i = 0; i < other.size(); ++i) {
       holding.holds(i < events.size() && is_alike(events[i], other[i]), i, "an event before a stop, whatever follows");
       if (i >= events.size()) return;
-      const auto point = xyz(c.setup.axes, events[i].point);
-      const auto without = xyz(c.setup.axes, other[i].point);
-      if (point && without)
-        holding.zero(*point - *without, i, "a point before a stop, less that with nothing behind it");
+      const auto& point = events[i].point;
+      const auto& without = other[i].point;
+      for (std::size_t axis = 0; axis < c.setup.axes.size(); ++axis)
+        if (point.has(axis) && without.has(axis))
+          holding.zero(point[axis] - without[axis], i, "a point before a stop, less that with nothing behind it");
+      if (events[i].hole && other[i].hole) compare(*events[i].hole, *other[i].hole, i, holding);
     }
     holding.holds(events.size() <= other.size() || events[other.size()].line > line, other.size(),
                   "the events before a stop, whatever follows");

@@ -21,6 +21,8 @@ bool is_motion(int code) { return among(code, {0, 10, 20, 30}); }
 bool is_length(int code) { return among(code, {430, 440, 490, 434, 435}); }
 bool is_compensation(int code) { return among(code, {400, 410, 420, 412, 422, 413, 416, 426}); }
 
+bool is_cycle(int code) { return among(code, {730, 740, 760, 810, 820, 830, 840, 850, 860, 870, 880, 890}); }
+
 // G04 and G10 have words of their own; to the rest of the block these letters alone say what they always say.
 bool is_shared_with_data(char address) {
   constexpr std::string_view letters = "GDHFMSTNO";
@@ -70,6 +72,30 @@ std::optional<int> additional_system(const FanucBlock& b, bool takes_letters) {
   return kSystems + static_cast<int>(std::min<std::uint64_t>(*n, spec::kAdditionalWorkpieces + 1));
 }
 
+// G52 and G92 have the words of their block to themselves.
+bool has_words_of_its_own(const FanucBlock& b) { return b.has_code(520) || b.has_code(920); }
+
+// What nobody says of a block in the drilling mode, or a control refuses.
+bool makes_drilling_doubtful(const FanucBlock& b) {
+  constexpr std::array kCodes{280, 290, 300, 301, 310, 370, 390, 434, 435, 530};
+  return b.compensation != 400 || std::ranges::any_of(kCodes, [&b](int code) { return b.has_code(code); });
+}
+
+char drilling_axis(const spec::Setup& setup, int plane) {
+  if (!setup.bit(5101, 0)) return 'Z';
+  return plane == 190 ? 'X' : plane == 180 ? 'Y' : 'Z';
+}
+
+// Takes the last length from the block, if there is one.
+void take(std::optional<CycleLength>& length, const FanucBlock& b, char address) {
+  const spec::Decimal* const word = b.value(address);
+  if (word == nullptr) return;
+  if (std::ranges::count(b.words, address, &spec::Word::address) > 1)
+    length.reset();
+  else
+    length = CycleLength{*word, b.absolute, b.inches};
+}
+
 exact::Rational sum(const spec::OffsetEntry& entry, spec::OffsetMemory memory) {
   exact::Rational value = rational(entry.geometry);
   if (memory != spec::OffsetMemory::a) value += rational(entry.wear);
@@ -90,6 +116,24 @@ std::optional<exact::Rational> offset(const spec::Setup& setup, std::uint64_t n,
 }
 
 }  // namespace
+
+exact::Rational programmed_length(const spec::Setup& setup, bool inches, const spec::Decimal& word) {
+  exact::Rational value = rational(word);
+  if (word.point || setup.bit(3401, 0, true)) return value;
+  const int counts = setup.increment == spec::IncrementSystem::is_a   ? 100
+                     : setup.increment == spec::IncrementSystem::is_b ? 1000
+                                                                      : 10000;
+  value /= exact::Rational(inches ? 10 * counts : counts);
+  return value;
+}
+
+exact::Rational length_of(const spec::Setup& setup, bool inches, const spec::Decimal& word) {
+  exact::Rational value = programmed_length(setup, inches, word);
+  const bool shown_in_inches = setup.units == spec::Units::inch;
+  if (inches && !shown_in_inches) value *= exact::Rational(127, 5);
+  if (!inches && shown_in_inches) value *= exact::Rational(5, 127);
+  return value;
+}
 
 std::optional<exact::Rational> length_value(const spec::Setup& setup, std::uint64_t n) {
   return offset(setup, n, setup.h, setup.d);
@@ -120,13 +164,31 @@ const spec::Decimal* FanucBlock::value(char address) const {
   return last;
 }
 
+std::optional<std::uint64_t> FanucBlock::repeats() const {
+  constexpr std::uint64_t most = 9999;
+  const char address = has('K') ? 'K' : 'L';
+  const spec::Decimal* const word = value(address);
+  if (word == nullptr) return 1;
+  const auto times = number(*word);
+  const bool twice = std::ranges::count(words, address, &spec::Word::address) > 1;
+  if (word->point || word->negative || twice || !times || *times > most) return std::nullopt;
+  return times;
+}
+
+bool FanucBlock::cancels_its_cycle() const {
+  const auto has_one = [this](bool (*is)(int)) {
+    return std::ranges::any_of(words, [is](const spec::Word& w) { return w.address == 'G' && is(code_of(w.value)); });
+  };
+  return has_one(is_cycle) && has_one(is_motion);
+}
+
 bool FanucBlock::says_compensation() const {
   return std::ranges::any_of(words,
                              [](const spec::Word& w) { return w.address == 'G' && is_compensation(code_of(w.value)); });
 }
 
 bool FanucBlock::is_plain() const {
-  return std::ranges::all_of(words, [](const spec::Word& w) {
+  return !drilling && std::ranges::all_of(words, [](const spec::Word& w) {
     if (w.address == 'G') {
       const int code = code_of(w.value);
       return is_motion(code) || is_compensation(code) || code == 900 || code == 910;
@@ -175,13 +237,53 @@ FanucProgram::FanucProgram(const spec::Case& c) {
           state.posture = p != nullptr ? p->digits != 0 : c.setup.bit(19604, 0);
         }
       }
+      follow_drilling(state, c.setup, takes_letters);
       blocks_.push_back(state);
     }
+    complete_ = !block->alarm;
   } catch (const spec::InputError&) {  // NOLINT(bugprone-empty-catch): the run says so, where it comes so far
   }
 }
 
+void FanucProgram::follow_drilling(FanucBlock& state, const spec::Setup& setup, bool takes_letters) {
+  int cycle = 0;
+  bool motion = false;
+  for (const spec::Word& w : state.words) {
+    if (w.address != 'G') continue;
+    const int code = code_of(w.value);
+    if (is_cycle(code)) cycle = code;
+    if (code == 980 || code == 990) state.to_point_r = code == 990;
+    motion = motion || is_motion(code);
+  }
+  const bool ends = state.has_code(800);
+  state.drills = false;
+  if (motion || (ends && cycle == 0)) state.drilling.reset();
+  if (!motion && cycle != 0) {
+    if (!state.drilling) {
+      state.drilling.emplace();
+      state.drilling->begun = blocks_.size();
+      state.drilling->axis = drilling_axis(setup, state.plane);
+    }
+    state.drilling->cycle = cycle;
+    if (ends || takes_letters) state.drilling->clear = false;
+  }
+  if (!state.drilling) return;
+  drills_ = true;
+  DrillingMode& mode = *state.drilling;
+  if (makes_drilling_doubtful(state) || mode.axis != drilling_axis(setup, state.plane)) mode.clear = false;
+  state.drills = state.has('R') ||
+                 std::ranges::any_of(state.words, [&setup](const spec::Word& w) { return setup.axes.has(w.address); });
+  const bool units = state.has_code(200) || state.has_code(210);
+  for (std::optional<CycleLength>* length : {&mode.point_r, &mode.bottom})
+    if (*length && (units || has_words_of_its_own(state) || ((*length)->absolute && renames_in(state))))
+      length->reset();
+  if (has_words_of_its_own(state)) return;
+  take(mode.point_r, state, 'R');
+  take(mode.bottom, state, mode.axis);
+}
+
 std::size_t FanucProgram::index(std::uint64_t line) const {
+  if (calls_) return blocks_.size();
   const auto found = std::ranges::lower_bound(blocks_, line, {}, &FanucBlock::line);
   if (found == blocks_.end() || found->line != line) return blocks_.size();
   if (const auto next = found + 1; next != blocks_.end() && next->line == line) return blocks_.size();
@@ -194,13 +296,21 @@ bool FanucProgram::has_code(std::initializer_list<int> codes) const {
   });
 }
 
+bool FanucProgram::renames_in(const FanucBlock& b) const {
+  if (length_renames_ && any_block_may_) return true;
+  return std::ranges::any_of(b.words, [this](const spec::Word& w) {
+    if (w.address != 'G') return length_renames_ && w.address == 'H';
+    const int code = code_of(w.value);
+    return code == 490 ? length_renames_ : is_renaming(code) || (length_renames_ && is_length(code));
+  });
+}
+
+bool FanucProgram::renames_at(std::size_t block) const { return renames_in(blocks_[block]); }
+
 bool FanucProgram::renames(std::size_t from, std::size_t to) const {
   if (length_renames_ && any_block_may_) return true;
   for (std::size_t i = from + 1; i <= to && i < blocks_.size(); ++i)
-    for (const spec::Word& w : blocks_[i].words) {
-      if (w.address == 'G' && is_renaming(code_of(w.value))) return true;
-      if (length_renames_ && (w.address == 'H' || (w.address == 'G' && is_length(code_of(w.value))))) return true;
-    }
+    if (blocks_[i].drills || blocks_[i].has_code(490) || renames_in(blocks_[i])) return true;
   return false;
 }
 

@@ -98,9 +98,26 @@ bool shorten(const Map& map, spec::Setup& setup) {
   return true;
 }
 
-// A word in the image; nothing where it cannot be written.
-std::optional<spec::Word> change(const Map& map, const spec::Word& word) {
+// How often a hole is drilled (K), or a depth of cut or a shift at the bottom (Q). Nothing where it may be another
+// word.
+std::optional<bool> is_of_a_cycle(const FanucBlock& b) {
+  if (b.cancels_its_cycle() || (b.drilling && !b.drilling->clear)) return std::nullopt;
+  return b.drilling.has_value();
+}
+
+// Lengths at other addresses than X Y Z I J K.
+bool is_further_length(const FanucBlock& b, char address) {
+  return address == 'R' || (address >= 'U' && address <= 'W') || (address == 'Q' && b.drilling);
+}
+
+// A word of this block in the image; nothing where it cannot be written.
+std::optional<spec::Word> change(const Map& map, const FanucBlock& b, const spec::Word& word) {
   spec::Word image = word;
+  if (map.tenth && (word.address == 'K' || word.address == 'Q')) {
+    const auto of_a_cycle = is_of_a_cycle(b);
+    if (!of_a_cycle) return std::nullopt;
+    if (*of_a_cycle && word.address == 'K') return image;
+  }
   const std::size_t axis = component(word.address);
   const std::size_t vector = vector_component(word.address);
   if (axis != kNone || vector != kNone) {
@@ -109,7 +126,7 @@ std::optional<spec::Word> change(const Map& map, const spec::Word& word) {
     if (!value) return std::nullopt;
     image.address = axis != kNone ? "XYZ"[target] : "IJK"[target];
     image.value = *value;
-  } else if (map.tenth && (word.address == 'R' || (word.address >= 'U' && word.address <= 'W'))) {
+  } else if (map.tenth && is_further_length(b, word.address)) {
     const auto value = image_of(map, word.value, 1);
     if (!value) return std::nullopt;
     image.value = *value;
@@ -123,6 +140,7 @@ std::optional<spec::Word> change(const Map& map, const spec::Word& word) {
 }
 
 using Values = spec::AxisValues<Real>;
+using Hole = spec::Hole<Real>;
 
 // `image` is the image of `original`.
 void compare(const Map& map, const spec::Axes& axes, const Values& original, const Values& image, std::size_t event,
@@ -141,12 +159,25 @@ void compare(const Map& map, const spec::Axes& axes, const Values& original, con
   }
 }
 
+void compare(const Map& map, const spec::Axes& axes, const Hole& original, const Hole& image, std::size_t event,
+             Holding& holding) {
+  const std::size_t source = component(axes.letter(original.axis));
+  const std::size_t target = source == kNone ? kNone : image_of(map, source);
+  holding.holds(image.axis == (target == kNone ? original.axis : axes.index("XYZ"[target])), event,
+                "image of the drilling axis");
+  Rational factor = map.tenth ? Rational(1, 10) : Rational(1);
+  if (target != kNone) factor *= map.sign.at(target);
+  for (const auto member : {&Hole::point_r, &Hole::bottom, &Hole::level})
+    holding.zero(image.*member - Real(factor) * original.*member, event, "image of a level of the hole");
+}
+
 void compare(const Map& map, const spec::Axes& axes, const model::Event& original, const model::Event& image,
              std::size_t event, Holding& holding) {
   holding.holds(is_alike(original, image), event, "the same kind of event, at the same place");
   compare(map, axes, original.programmed, image.programmed, event, "image of the programmed point", holding);
   compare(map, axes, original.point, image.point, event, "image of the point", holding);
   compare(map, axes, original.axes, image.axes, event, "image of the axes", holding);
+  if (original.hole && image.hole) compare(map, axes, *original.hole, *image.hole, event, holding);
   if (!original.arc || !image.arc) return;
   compare(map, axes, original.arc->center, image.arc->center, event, "image of the centre", holding);
   // An arc that ends in its centre has no sense.
@@ -170,8 +201,9 @@ void image(const Map& map, const spec::Case& c, std::span<const model::Event> ev
     if (std::ranges::any_of(events, [](const model::Event& e) { return e.tool_axis.has_value(); })) return;
   }
   spec::Case changed = c;
-  const auto text =
-      rewritten(c, [&map](std::size_t, const spec::Block&, const spec::Word& w) { return change(map, w); });
+  const auto text = rewritten(c, [&](std::size_t i, const spec::Block&, const spec::Word& w) {
+    return change(map, program.blocks().at(i), w);
+  });
   if (!text || !change_all(map, changed.setup) || (map.tenth && !shorten(map, changed.setup))) return;
   changed.program = *text;
   const std::vector<model::Event> other = run(changed);

@@ -57,22 +57,17 @@ std::optional<int> written_system(const spec::Block& block) {
 // Number of a word as the program has it, and `by` more.
 std::optional<spec::Decimal> shifted(const spec::Setup& setup, bool inches, const spec::Decimal& word,
                                      const Rational& by) {
-  Rational value = rational(word);
-  if (!word.point && !setup.bit(3401, 0, true)) {
-    const int counts = setup.increment == spec::IncrementSystem::is_a   ? 100
-                       : setup.increment == spec::IncrementSystem::is_b ? 1000
-                                                                        : 10000;
-    value /= Rational(inches ? 10 * counts : counts);
-  }
   // More digits are an alarm (PS0003).
   constexpr std::uint64_t too_many = 100'000'000'000'000;
-  const auto sum = decimal(value + by);
+  const auto sum = decimal(programmed_length(setup, inches, word) + by);
   return sum && sum->digits < too_many ? sum : std::nullopt;
 }
 
 std::optional<spec::Word> moved(const spec::Setup& setup, const FanucBlock& b, const spec::Block& block,
                                 const spec::Word& word) {
-  const std::size_t axis = setup.axes.index(word.address);
+  // Point R is a place along the drilling axis.
+  const bool is_point_r = word.address == 'R' && b.drills && b.has('R');
+  const std::size_t axis = setup.axes.index(is_point_r ? b.drilling->axis : word.address);
   if (axis == spec::Axes::kNone || !is_linear(setup.axes, axis)) return word;
   Rational by;
   if (!b.has(word.address)) {
@@ -101,6 +96,16 @@ bool keeps_coordinates(const FanucProgram& program) {
     if (b.has_code(370)) measured.insert(b.system);
   }
   return measured.size() > 1;
+}
+
+// So is a level that is kept, or a length of a hole; one that no block gave may be no place at all.
+bool keeps_levels(const FanucProgram& program) {
+  return std::ranges::any_of(program.blocks(), [&program](const FanucBlock& b) {
+    if (!b.drilling) return false;
+    const DrillingMode& mode = *b.drilling;
+    return !mode.clear || b.system != program.blocks()[mode.begun].system ||
+           (b.drills && (!mode.point_r || !mode.bottom));
+  });
 }
 
 // The setup with its origins elsewhere; nothing where it cannot be written.
@@ -136,11 +141,20 @@ struct Comparison {
                   std::string_view what) const {
     for (std::size_t i = 0; i < setup.axes.size(); ++i) {
       holding.holds(values.has(i) == other.has(i), event, what);
-      if (!values.has(i) || !other.has(i)) continue;
-      Real change = other[i] - values[i];
-      if (system && is_linear(setup.axes, i)) change += Real(way(setup.units == spec::Units::inch, *system, i));
-      holding.zero(change, event, what);
+      if (values.has(i) && other.has(i)) compare(values[i], other[i], i, what);
     }
+  }
+  void operator()(const spec::Hole<Real>& hole, const spec::Hole<Real>& other, std::string_view what) const {
+    holding.holds(hole.axis == other.axis, event, "the same drilling axis with other origins");
+    for (const auto member : {&spec::Hole<Real>::point_r, &spec::Hole<Real>::bottom, &spec::Hole<Real>::level})
+      compare(hole.*member, other.*member, hole.axis, what);
+  }
+
+ private:
+  void compare(const Real& value, const Real& other, std::size_t axis, std::string_view what) const {
+    Real change = other - value;
+    if (system && is_linear(setup.axes, axis)) change += Real(way(setup.units == spec::Units::inch, *system, axis));
+    holding.zero(change, event, what);
   }
 };
 
@@ -156,6 +170,7 @@ void compare(const spec::Setup& setup, const FanucProgram& program, const model:
   same(event.programmed, other.programmed, "place programmed, less that with other origins");
   same(event.point, other.point, "place of the point, less that with other origins");
   same(event.axes, other.axes, "place of the axes, less that with other origins");
+  if (event.hole && other.hole) same(*event.hole, *other.hole, "level of a hole, less that with other origins");
   if (event.arc && other.arc) same(event.arc->center, other.arc->center, "centre, less that with other origins");
 }
 
@@ -168,7 +183,7 @@ bool selects_a_system(const spec::Case& c) {
 
 void moved_origins(const spec::Case& c, std::span<const model::Event> events, const Runner& run, Holding& holding) {
   const FanucProgram program(c);
-  if (keeps_coordinates(program)) return;
+  if (keeps_coordinates(program) || keeps_levels(program)) return;
   const auto setup = moved(c.setup, program);
   if (!setup) return;
   const auto text = rewritten(c, [&](std::size_t i, const spec::Block& block, const spec::Word& word) {

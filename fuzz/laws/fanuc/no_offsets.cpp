@@ -6,9 +6,25 @@
 #include "fuzz/laws/numbers.h"
 
 namespace toolcomp::fuzz::laws {
+namespace {
+
+void ask_hole(const spec::Axes& axes, const model::Event& event, std::size_t place, Holding& holding) {
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (!event.axes.has(i)) continue;
+    if (i == event.hole->axis)
+      holding.zero(event.axes[i] - event.hole->level, place, "drilling axis, less the level, with offsets of zero");
+    else if (event.point.has(i))
+      holding.zero(event.axes[i] - event.point[i], place,
+                   "axis beside the drilling axis, less the position of the hole, with offsets of zero");
+  }
+}
+
+}  // namespace
 
 void no_offsets(const spec::Case& c, std::span<const model::Event> events, const Runner& run, Holding& holding) {
-  if (FanucProgram(c).has_code({100, 370})) return;
+  const FanucProgram program(c);
+  if (program.has_code({100, 370})) return;
+  const bool asks_holes = !program.has_code({434, 435});
   spec::Case changed = c;
   for (auto* offsets : {&changed.setup.h, &changed.setup.d})
     for (auto& [number, entry] : *offsets) entry = {};
@@ -17,6 +33,7 @@ void no_offsets(const spec::Case& c, std::span<const model::Event> events, const
   const FanucScene scene(changed, other);
   for (std::size_t i = 0; i < other.size(); ++i) {
     const model::Event& event = other[i];
+    if (event.hole && asks_holes) ask_hole(c.setup.axes, event, std::min(i, events.size() - 1), holding);
     if (event.kind != spec::EventKind::move || event.cause == spec::Cause::pre_turn) continue;
     // A turn still to come takes the point along (19696#5 = 1).
     if (i + 1 < other.size() && other[i + 1].cause == spec::Cause::post_turn) continue;

@@ -67,6 +67,7 @@ void length_offset(const FanucScene& s, Holding& holding) {
       holding.zero(*offset, stop.event, "axes, less the point, without a length offset");
       continue;
     }
+    if (b.drills && s.c.setup.bit(5001, 0)) continue;
     if ((b.length != 430 && b.length != 440) || length_codes(b) != 1 || !b.has('H') || !b.h) continue;
     const auto value = length_value(s.c.setup, *b.h);
     if (!value) continue;
@@ -103,7 +104,7 @@ void by_the_words_alone(const FanucScene& s, Holding& holding) {
   constexpr std::array others{100, 280, 290, 300, 301, 370, 390, 434, 435, 450, 460, 470, 480, 520, 530, 920};
   const auto goes_otherwise = [&](std::size_t k) {
     const FanucBlock& b = blocks[k];
-    return b.length == 434 || b.length == 435 || !b.system || blocks[k - 1].system != b.system ||
+    return b.drills || b.length == 434 || b.length == 435 || !b.system || blocks[k - 1].system != b.system ||
            std::ranges::any_of(others, [&](int code) { return b.has_code(code); });
   };
   for (std::size_t i = 1; i < s.stops.size(); ++i) {

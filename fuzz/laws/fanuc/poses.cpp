@@ -80,7 +80,7 @@ std::vector<Run> runs_of(const spec::Setup& setup, const FanucProgram& program, 
   const auto& blocks = program.blocks();
   std::size_t latest = kNone;  // block that began the mode of the last run
   std::size_t seen = 0;        // blocks whose codes were read
-  bool spoiled = false;        // a second G43.4 within one mode
+  bool spoiled = false;        // a second G43.4 within one mode, or holes
   bool other_length = false;
   bool in_mode = false;
   for (std::size_t i = 0; i < events.size(); ++i) {
@@ -100,6 +100,8 @@ std::vector<Run> runs_of(const spec::Setup& setup, const FanucProgram& program, 
       } else if (b.has('H')) {
         other_length = true;
       }
+      // Holes stand among no poses: the next block would begin elsewhere.
+      if (in_mode && b.drills) spoiled = true;
     }
     if (!in_mode || spoiled) continue;
     if (runs.empty() || runs.back().mode.block != latest || block == latest) {

@@ -35,7 +35,7 @@ struct Pose {
   [[nodiscard]] bool is_sample() const { return event->kind == spec::EventKind::sample; }
 };
 
-// The moves and samples under tool center point control, up to its end or a second G43.4 or G43.5.
+// The moves and samples under tool center point control, up to its end, a second G43.4 or G43.5, or a hole.
 struct Run {
   Mode mode;
   std::vector<Pose> poses;  // the first is that of the mode's own block

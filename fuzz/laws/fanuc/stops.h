@@ -24,12 +24,13 @@ struct Stop {
   std::size_t event = 0;  // index of own
   std::size_t block = 0;  // index in the program
   Vector programmed;
-  // From the stop before, in the same coordinates; nothing where there is none or coordinates were renamed between.
+  // From the stop before, in the same coordinates; nothing where there is none, or coordinates were renamed or holes
+  // drilled between.
   std::optional<Vector> displacement;
   std::vector<Head> heads;  // of own, then of corner moves, in order
 };
 
-// Moves whose points are not all three linear axes, or whose line is no block, end the list.
+// Moves whose points are not all three linear axes, or whose line is no block, end the list. Holes are no stops.
 std::vector<Stop> stops_of(const spec::Axes& axes, const FanucProgram& program, std::span<const model::Event> events);
 
 }  // namespace toolcomp::fuzz::laws

@@ -3,8 +3,9 @@
 //
 // Rotary positions are the reported machine coordinates, or those of the workpiece system where a setup can say so and
 // does (`rotary_angles`). Exempt: machines this reading of the parameters does not cover
-// (machine.h); what follows a second G43.4 or G43.5 without G49 between, or comes with G10, G37, G92, G53, G28 to G30
-// or a change of the workpiece system anywhere in the program (frames and lengths are then others).
+// (machine.h); what follows a second G43.4 or G43.5, or a hole of a canned cycle, without G49 between, or comes with
+// G10, G37, G92, G53, G28 to G30 or a change of the workpiece system anywhere in the program (frames and lengths are
+// then others).
 #pragma once
 
 #include "fuzz/laws/fanuc/scene.h"

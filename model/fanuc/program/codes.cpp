@@ -70,9 +70,6 @@ class Reader {
       case 640:
       case 670:
       case 690:
-      case 800:
-      case 980:
-      case 990:
       case 1130:
       case 1500:
         return without_effect();
@@ -153,6 +150,23 @@ class Reader {
         return group(codes_.workpiece, static_cast<std::size_t>((code - 540) / 10));
       case 541:
         return group(codes_.workpiece, kAdditional);
+      case 730:
+      case 830:
+        return group(codes_.cycle, Cycle::pecking);
+      case 740:
+      case 760:
+      case 810:
+      case 820:
+      case 840:
+      case 850:
+      case 860:
+      case 880:
+      case 890:
+        return group(codes_.cycle, Cycle::other);
+      case 800:
+        return group(codes_.cycle, Cycle::cancel);
+      case 870:
+        return group(codes_.cycle, Cycle::back_boring);
       case 900:
         return group(codes_.incremental, false);
       case 910:
@@ -164,6 +178,10 @@ class Reader {
         return group(codes_.feed_per_minute, false);
       case 940:
         return group(codes_.feed_per_minute, true);
+      case 980:
+        return group(codes_.to_initial_level, true);
+      case 990:
+        return group(codes_.to_initial_level, false);
       default:
         return false;
     }
@@ -183,7 +201,7 @@ class Reader {
     return true;
   }
   // fanuc.program.without-effect: G05 G05.1 G08 G09 G11 G13.1 G15 G22 G23 G25 G40.1 G50 G50.1 G50.2 G61 G61.1 G62 G63
-  // G64 G67 G69 G80 G96 to G99 G113 G150 and G160 change nothing here: they cancel what is not supported, or say how
+  // G64 G67 G69 G96 G97 G113 G150 and G160 change nothing here: they cancel what is not supported, or say how
   // fast and how exactly a path is run, not where it lies.
   bool without_effect() {
     recorder_.reach(Clause::fanuc_program_without_effect);
@@ -321,11 +339,11 @@ Codes read_codes(const spec::Block& block, const Words& words, const spec::Setup
   codes.h = offset_number(words.find('H'), setup, recorder);
   codes.d = offset_number(words.find('D'), setup, recorder);
   // fanuc.program.additional-system: G54.1 selects an additional workpiece system, by P1 to P48; without P it is P1.
-  // G54 with a P is G54.1 with that P, where P belongs to no other code of the block (G04 G05 G10 G30 G43.4 G43.5 M98
-  // M99). Another P raises PS0030.
+  // G54 with a P is G54.1 with that P, where P belongs to no other code of the block (G04 G05 G10 G30 G43.4 G43.5 G73
+  // G74 G76 G81 to G89 M98 M99). Another P raises PS0030.
   const bool taken = codes.letters_are_data || codes.calls || codes.returns ||
-                     codes.one_shot == OneShot::other_reference || codes.length == LengthCode::tip_control ||
-                     codes.length == LengthCode::tool_direction;
+                     codes.one_shot == OneShot::other_reference || (codes.cycle && *codes.cycle != Cycle::cancel) ||
+                     codes.length == LengthCode::tip_control || codes.length == LengthCode::tool_direction;
   if (codes.workpiece == std::size_t{0} && words.has('P') && !taken) codes.workpiece = kAdditional;
   if (codes.workpiece == kAdditional) codes.workpiece = additional_system(words, recorder);
   return codes;

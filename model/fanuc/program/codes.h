@@ -32,6 +32,12 @@ enum class LengthCode : std::uint8_t {  // group 08
   tool_direction,                       // G43.5: type 2
   cancel                                // G49
 };
+enum class Cycle : std::uint8_t {  // group 09
+  cancel,                          // G80
+  pecking,                         // G73, G83: by depths of cut
+  back_boring,                     // G87
+  other                            // G74 G76 G81 G82 G84 G85 G86 G88 G89
+};
 enum class OneShot : std::uint8_t {  // group 00
   none,
   dwell,                // G04
@@ -50,6 +56,8 @@ enum class OneShot : std::uint8_t {  // group 00
   machine_coordinates,  // G53
   shift                 // G92
 };
+
+using AxisMask = std::uint16_t;  // bit i: controlled axis i
 
 // G45–G48.
 constexpr bool is_tool_offset(OneShot code) { return code >= OneShot::increase && code <= OneShot::double_decrease; }
@@ -103,6 +111,8 @@ struct Codes {
   std::optional<Compensation> compensation;  // group 07
   std::optional<LengthCode> length;          // group 08
   std::optional<bool> feed_per_minute;       // group 05: G94, or G93 G95
+  std::optional<Cycle> cycle;                // group 09
+  std::optional<bool> to_initial_level;      // group 10: G98, or G99
   std::optional<std::size_t> workpiece;      // group 14: 0 for G54 … 5 for G59, behind them G54.1 P1 …
   bool writes_origin = false;                // G10 L2, G10 L20
   bool refused_in_space = false;             // G05 but for P10000, G96 G97 G160: not in a compensation in space

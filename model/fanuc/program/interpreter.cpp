@@ -91,7 +91,6 @@ Command Interpreter::read(const spec::Block& block) {
     command.axes = axis_words(words);
     command.direction = words.has('I') || words.has('J') || words.has('K');
   }
-  require_feed(command);
   return command;
 }
 
@@ -113,9 +112,11 @@ void Interpreter::read_feed(const Command& command) {
 void Interpreter::require_feed(const Command& command) const {
   const bool by_motion = command.codes.one_shot == OneShot::none || is_tool_offset(command.codes.one_shot);
   const bool arc = command.is_arc_motion() && (command.direction || command.words.has('R'));
-  if (!feed_per_minute_ || !by_motion || motion_ == Motion::rapid || (command.axes == 0 && !arc)) return;
+  const bool cuts = by_motion && motion_ != Motion::rapid && (command.axes != 0 || arc);
+  if (!feed_per_minute_ || !(command.cycle.on ? command.cycle.makes_holes() : cuts)) return;
   // fanuc.program.no-feed: Under G94, a block that moves by G01, G02 or G03 with an axis word, or with I J K or R in
-  // G02 or G03, raises PS0011 where F is 0 or none has been given.
+  // G02 or G03, and one that drills (fanuc.canned-cycle.drills; one with K0 not), raises PS0011 where F is 0 or none
+  // has been given.
   if (recorder_.decide(Clause::fanuc_program_no_feed, !feed_ || *feed_ == 0)) throw Alarm(AlarmCause::no_feed);
 }
 
@@ -339,6 +340,7 @@ void Interpreter::write_origins(const Command& command) {
 
 std::vector<Leg> Interpreter::legs(const Command& command, bool directed, bool always, bool compensated) {
   const OneShot one_shot = command.codes.one_shot;
+  if (command.cycle.on) return {};
   if (is_reference_return(one_shot)) return reference_legs(command);
   const bool goes = command.axes != 0;
   if (one_shot == OneShot::from_reference) return goes ? return_legs(command) : std::vector<Leg>{};

@@ -17,7 +17,17 @@
 
 namespace toolcomp::model {
 
-using AxisMask = std::uint16_t;  // bit i: controlled axis i
+// What a block is to the drilling mode, as its codes leave it.
+struct CycleBlock {
+  bool on = false;      // in the drilling mode: the words of the block move nothing
+  bool drills = false;  // it has data of a hole
+  AxisMask axes = 0;    // the axis words of the hole, that of the drilling axis included
+  Rational repeats = 1;
+
+  // K0: data alone.
+  [[nodiscard]] bool only_stores() const { return repeats == 0; }
+  [[nodiscard]] bool makes_holes() const { return drills && !only_stores(); }
+};
 
 // A block with the modal words in force in it. Points into the block it was made of.
 struct Command {
@@ -29,6 +39,7 @@ struct Command {
   AxisMask axes = 0;       // axes commanded; none where the letters mean something else (G04, G10)
   bool direction = false;  // I, J or K
   bool is_block = true;    // any word, N and O included
+  CycleBlock cycle = {};   // in the drilling mode the block names no axis: the words are those of a hole
   [[nodiscard]] bool is_arc_motion() const { return motion == Motion::arc_cw || motion == Motion::arc_ccw; }
   // An axis word stands in the block, and is no data of a code; no other way to ask for one is right.
   [[nodiscard]] bool names(std::size_t axis) const { return (axes >> axis & 1U) != 0; }
@@ -44,6 +55,8 @@ class Interpreter {
 
   // Reads the words and updates the modal groups. Throws Alarm for a block that cannot be read, PS0010, PS0030.
   Command read(const spec::Block& block);
+  // Throws Alarm PS0011 where the block moves by G01 to G03, or drills, without an F.
+  void require_feed(const Command& command) const;
 
   // G54 to G59, G54.1: the position is called by the new system from here on.
   void select_workpiece_system(const Command& command);
@@ -62,6 +75,7 @@ class Interpreter {
 
   // An axis stands elsewhere than its word said: where G37 has stopped it.
   void stand(std::size_t axis, const Coordinate& at) { position_.at(axis) = at; }
+  void stand(const Position& at) { position_ = at; }
   // X Y Z are called otherwise from here on: where G49 leaves the axes, or in another coordinate system.
   void shift_position(const Vector& by);
   void stand_in_space(const Vector& at);
@@ -73,8 +87,6 @@ class Interpreter {
 
  private:
   void read_feed(const Command& command);
-  // Throws Alarm where a cutting move has no F.
-  void require_feed(const Command& command) const;
   [[nodiscard]] AxisMask axis_words(const Words& words) const;
   [[nodiscard]] Rational word(const Command& command, std::size_t axis) const;
   [[nodiscard]] Leg ordinary(const Command& command, spec::MoveType type) const;

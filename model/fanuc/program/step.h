@@ -58,6 +58,14 @@ struct Warning {
   spec::ClauseList clauses;
 };
 
+// A hole of a canned cycle. `move`: its position, the drilling axis at the level of return, with the offsets in force.
+struct DrilledHole {
+  Move move;
+  std::size_t axis = 0;  // the drilling axis
+  Coordinate point_r;    // workpiece coordinates, as programmed
+  Coordinate bottom;
+};
+
 // A block ready to be compensated.
 struct Step {
   std::uint64_t line = 0;
@@ -65,6 +73,7 @@ struct Step {
   // In order: none, one, or the two of a reference return or of a measurement. Behind a stage of compensation also the
   // moves it inserts.
   std::vector<Move> moves;
+  std::vector<DrilledHole> holes;  // in their place: no compensation is on
   // The place where the block ends, for a move inserted there; its type is that of group 01. Present where some stage
   // has words.
   Move rest;

@@ -56,8 +56,10 @@ void ToolCenterPointControl::restrict_mode(const Command& command, const ToolLen
   const Codes& codes = command.codes;
   const bool cutter = codes.compensation && is_cutter_side(*codes.compensation);
   // fanuc.tool-center-point.forbidden: G28 G29 G30 G30.1 G37 G39 G41 G42 G45 to G48 G52 G53 G54 to G59 G54.1 G92 and
-  // G10 L2 L20 in a block under G43.4 or G43.5, the block of the code included, raise FORBIDDEN_UNDER_TOOL_DIRECTION.
-  if (marks.tip_control && (leaves_the_path(codes.one_shot) || codes.workpiece || codes.writes_origin || cutter))
+  // G10 L2 L20 in a block under G43.4 or G43.5, the block of the code included, and a block in the drilling mode there
+  // (fanuc.canned-cycle.mode), raise FORBIDDEN_UNDER_TOOL_DIRECTION.
+  if (marks.tip_control &&
+      (command.cycle.on || leaves_the_path(codes.one_shot) || codes.workpiece || codes.writes_origin || cutter))
     raise(recorder_, Clause::fanuc_tool_center_point_forbidden, AlarmCause::forbidden_under_tool_direction);
   const bool axis_offset_code = codes.length == LengthCode::plus || codes.length == LengthCode::minus;
   // fanuc.tool-center-point.exclusion: G43 or G44 under tool center point control, and G43.4 or G43.5 while an axis has

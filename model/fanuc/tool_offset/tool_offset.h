@@ -29,6 +29,9 @@ class ToolOffset {
   // G45_LENGTH_OFFSET, PS0029, G45_ARC or PS0038.
   void apply(const Command& command, const Interpreter& interpreter, const LengthState& length, std::vector<Leg>& legs);
 
+  // Of a block in which the codes do nothing else.
+  void store_number(const Codes& codes) { offset_.take(codes); }
+
   // The leg, its programmed end shifted as after the last block.
   [[nodiscard]] Leg shifted(Leg leg) const;
   // Actual minus programmed position of an axis after the last block, setup units.

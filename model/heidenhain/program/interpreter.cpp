@@ -14,6 +14,7 @@ using spec::klartext::Block;
 using spec::klartext::CorrectionTable;
 using spec::klartext::FeedWord;
 using spec::klartext::RadiusWord;
+using spec::klartext::Retraction;
 using spec::klartext::Statement;
 
 namespace {
@@ -148,7 +149,8 @@ std::optional<Motion> Interpreter::line(const Block& block, const Functions& fun
   if (block.radius != RadiusWord::none)
     side_ = block.radius == RadiusWord::rl ? Side::left : block.radius == RadiusWord::rr ? Side::right : Side::none;
   feed_.of_block(block);
-  if (block.axes == 0) return std::nullopt;
+  const bool retracts = block.retraction != Retraction::none;
+  if (block.axes == 0 && !retracts && !block.departs) return std::nullopt;
 
   Motion motion;
   motion.line = block.line;
@@ -158,7 +160,7 @@ std::optional<Motion> Interpreter::line(const Block& block, const Functions& fun
   motion.contour = contour_;
   motion.oversize_allowed = oversize_allowed_;
   motion.feed = feed_.in_force();
-  motion.rapid = block.feed == FeedWord::f_max;
+  motion.rapid = block.feed == FeedWord::f_max || (retracts && block.feed == FeedWord::none);
   // heidenhain.program.many-digits: L and LN blocks with more digits than the control takes run with the numbers as
   // written and W_DIGITS: coordinates of more than 5 decimals or beyond 99999.99999, components of more than 8
   // decimals.
@@ -167,16 +169,18 @@ std::optional<Motion> Interpreter::line(const Block& block, const Functions& fun
         {"W_DIGITS", "more digits than the control takes", Clause::heidenhain_program_many_digits});
 
   const Vector before = position_.point();
-  position_.move(block, functions.machine_coordinates);
+  move_to_end(block, functions);
+  motion.unknown = position_.unknown();
   motion.position = position_.point();
-  motion.travel = motion.position - before;
+  motion.travel = block.retraction == Retraction::to_limit ? direction_.current().unit : motion.position - before;
   for (std::size_t slot = 0; slot < spec::klartext::kAxisLetters.size(); ++slot) {
     const std::size_t axis = setup_.axes.index(spec::klartext::kAxisLetters.at(slot));
     if (axis == spec::Axes::kNone) continue;
-    if (!is_rotary_slot(slot))
-      motion.programmed.set(axis, position_.at(slot));
-    else if (block.has_axis(slot))
+    if (!is_rotary_slot(slot)) {
+      if ((motion.unknown >> slot & 1U) == 0) motion.programmed.set(axis, position_.at(slot));
+    } else if (block.has_axis(slot)) {
       motion.rotary.set(axis, position_.at(slot));
+    }
   }
   motion.tool = tool_.effective();
   motion.tcpm = direction_.tcpm();
@@ -186,6 +190,30 @@ std::optional<Motion> Interpreter::line(const Block& block, const Functions& fun
   motion.center = recorder_.decide(Clause::heidenhain_program_reference_point, direction_.at_center());
   direct(motion, block);
   return motion;
+}
+
+void Interpreter::move_to_end(const Block& block, const Functions& functions) {
+  const unsigned before = position_.unknown();
+  const bool increment = position_.needs_unknown(block);
+  if (block.retraction == Retraction::by)
+    position_.retract(values_.word(block.retraction_by), direction_.current().unit);
+  else if (block.retraction == Retraction::to_limit)
+    position_.retract_to_limit(direction_.current().unit);
+  else if (block.departs)
+    position_.depart(direction_.current().unit);
+  else
+    position_.move(block, functions.machine_coordinates);
+  if ((before | position_.unknown()) == 0) return;
+  const bool vectors = block.statement == Statement::line_with_vectors;
+  const bool lateral = direction_.tcpm() && side_ != Side::none && !(vectors && block.has_normal);
+  const bool needs = increment || lateral;
+  // heidenhain.program.unknown-position: Events do not have coordinates of an axis whose position is unknown, nor
+  // vectors of the tool, and name the axis in `unknown`. A word of the axis without I makes its position known. A block
+  // that needs one before ends the run without an alarm, with not_judged: one with an increment of such an axis, and
+  // one under RL or RR and TCPM without a normal before or at the end of which one is unknown.
+  if (recorder_.decide(Clause::heidenhain_program_unknown_position, needs))
+    throw Alarm(AlarmCause::not_judged,
+                "an unknown position (after M140 MB MAX, or a departure from a contour) is not judged");
 }
 
 void Interpreter::direct(Motion& motion, const Block& block) {

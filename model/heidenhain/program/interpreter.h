@@ -42,6 +42,8 @@ class Interpreter {
 
   // L and LN.
   std::optional<Motion> line(const spec::klartext::Block& block, const Functions& functions);
+  // Where the block ends. Throws Alarm not_judged where it needs a position that nobody knows.
+  void move_to_end(const spec::klartext::Block& block, const Functions& functions);
   void direct(Motion& motion, const spec::klartext::Block& block);
   void take_vectors(Motion& motion, const spec::klartext::Block& block);
   void check_length(Motion& motion, const Vector& vector, const char* message);

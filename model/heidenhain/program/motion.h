@@ -50,6 +50,7 @@ struct Motion {
   spec::AxisValues<Real> programmed;  // linear axes: the end point
   spec::AxisValues<Real> rotary;      // rotary axes with a word in this block
   Vector position;                    // P: X Y Z of the end point
+  unsigned unknown = 0;               // bit i: X, Y or Z of position is not known, and programmed does not have it
   Vector travel;                      // d: from the end point of the motion before
 
   bool vectors = false;          // LN

@@ -23,7 +23,28 @@ void ProgrammedPosition::move(const spec::klartext::Block& block, bool machine_c
       at_.at(slot) += word;
     else
       at_.at(slot) = from_datum ? word + datum_.at(slot) : word;
+    unknown_ &= ~(1U << slot);
   }
+}
+
+// heidenhain.program.retraction: M140 MB n moves the tool by n along itself, away from the workpiece: a motion of its
+// own, as L to that point, rapid where its block has no F. The programmed position is then that point. M140 MB MAX goes
+// on to the limit of travel, which nobody knows here: the positions of X, Y and Z along which the tool has a component
+// are then unknown.
+void ProgrammedPosition::retract(const Real& by, const Vector& tool) {
+  recorder_.decide(Clause::heidenhain_program_retraction, false);
+  for (std::size_t slot = 0; slot < kFirstRotarySlot; ++slot) at_.at(slot) += by * component(tool, slot);
+}
+
+void ProgrammedPosition::retract_to_limit(const Vector& tool) {
+  recorder_.decide(Clause::heidenhain_program_retraction, true);
+  for (std::size_t slot = 0; slot < kFirstRotarySlot; ++slot)
+    if (component(tool, slot).sign() != exact::Sign::zero) unknown_ |= 1U << slot;
+}
+
+void ProgrammedPosition::depart(const Vector& tool) {
+  for (std::size_t slot = 0; slot < kFirstRotarySlot; ++slot)
+    if (component(tool, slot).sign() == exact::Sign::zero) unknown_ |= 1U << slot;
 }
 
 void ProgrammedPosition::shift_datum(const spec::klartext::Block& block) {

@@ -23,7 +23,7 @@ std::array<Real, 3> components(const Vector& v) { return {v.x, v.y, v.z}; }
 spec::AxisValues<Real> moved_to(const Vector& point, const Motion& motion, const spec::Axes& axes) {
   spec::AxisValues<Real> result = motion.programmed;
   for (std::size_t i = 0; i < axes.size(); ++i)
-    if (is_space_axis(axes.letter(i))) result.set(i, component(point, space_index(axes.letter(i))));
+    if (is_space_axis(axes.letter(i)) && result.has(i)) result.set(i, component(point, space_index(axes.letter(i))));
   return result;
 }
 
@@ -54,13 +54,20 @@ void report_move(const Motion& motion, const Compensated& compensated, const spe
     if (motion.rotary.has(i)) event.axes.set(i, motion.rotary[i]);
   event.tool_axis = components(t);
   if (!motion.rapid) event.feed = motion.feed;
+  event.clauses = motion.clauses;
+  if (motion.unknown != 0) {
+    for (std::size_t i = 0; i < setup.axes.size(); ++i)
+      if (spec::is_linear_axis(setup.axes.letter(i)) && !event.programmed.has(i))
+        event.unknown = static_cast<std::uint16_t>(event.unknown | 1U << i);
+    sink.on(event);
+    return;
+  }
   auto& space = event.space.emplace();
   space.tool_center = components(compensated.tool_center);
   space.shift = components(compensated.shift);
   space.tool_shift = components(compensated.shift + lengthened);
   if (tool.l) space.carrier = components(compensated.point + (*tool.l + tool.dl) * t);
   space.contact = compensated.contact;
-  event.clauses = motion.clauses;
   sink.on(event);
 }
 

@@ -12,12 +12,12 @@ Definition among (code : Z) (codes : list Z) : bool := existsb (Z.eqb code) code
 
 (** fanuc.program.without-effect: they change nothing. *)
 Definition without_effect := [50; 51; 80; 90; 110; 131; 150; 220; 230; 250; 401; 500; 501; 502; 610; 611; 620; 630; 640;
-  670; 690; 800; 960; 970; 980; 990; 1130; 1500; 1600].
+  670; 690; 960; 970; 1130; 1500; 1600].
 
 (** fanuc.program.unknown-code: supported are these. *)
 Definition known := [0; 10; 20; 30; 40; 100; 170; 180; 190; 200; 210; 280; 290; 300; 301; 370; 390; 400; 410; 412; 413;
-  416; 420; 422; 426; 430; 434; 435; 440; 450; 460; 470; 480; 490; 520; 530; 540; 541; 550; 560; 570; 580; 590; 900; 910;
-  920; 930; 940; 950] ++ without_effect.
+  416; 420; 422; 426; 430; 434; 435; 440; 450; 460; 470; 480; 490; 520; 530; 540; 541; 550; 560; 570; 580; 590; 730;
+  740; 760; 800; 810; 820; 830; 840; 850; 860; 870; 880; 890; 900; 910; 920; 930; 940; 950; 980; 990] ++ without_effect.
 
 (** fanuc.program.last-code-of-group: modal groups. *)
 Definition motions := [0; 10; 20; 30].
@@ -28,6 +28,8 @@ Definition feeds := [930; 940; 950].
 Definition lengths := [430; 434; 435; 440; 490].
 Definition systems := [540; 541; 550; 560; 570; 580; 590].
 Definition compensations := [400; 410; 412; 413; 416; 420; 422; 426].
+Definition cycles := [730; 740; 760; 800; 810; 820; 830; 840; 850; 860; 870; 880; 890].
+Definition return_levels := [980; 990].
 
 (** The codes that act in their block alone, of which the last counts. *)
 Inductive action :=
@@ -69,7 +71,7 @@ Definition repeats {num} (codes : list Z) (b : block num) : bool :=
     match ws with [] => false | w :: rest => (counted w && existsb (same w) rest) || twice rest end in
   twice (words b) ||
   existsb (fun group => 1 <? Z.of_nat (List.length (filter (fun code => among code group) codes)))
-    [motions; planes; units; distances; feeds; lengths; systems; compensations; map fst actions].
+    [motions; planes; units; distances; feeds; lengths; systems; compensations; cycles; return_levels; map fst actions].
 
 (** The last code of a group. *)
 Definition last_of (group codes : list Z) : option Z := find (fun code => among code group) (rev codes).

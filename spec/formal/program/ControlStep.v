@@ -230,20 +230,21 @@ Definition control_moves {num} {N : Numbers num} (s : setup num) (c : command nu
   | _, _, _ => Got true
   end.
 
-(** Behind a block that is not under control. The pose stays known, by its turns, until a code takes a rotary axis to a
-    machine position. *)
-Definition without_control {num} {N : Numbers num} (s : setup num) (c : command num) (st : state num) :
-    outcome (control_state num) :=
+(** Behind a block that is not under control, by the words that move its axes. The pose stays known, by its turns, until
+    a code takes a rotary axis to a machine position. *)
+Definition without_control {num} {N : Numbers num} (s : setup num) (c : command num) (numbers : some_values num)
+    (st : state num) : outcome (control_state num) :=
   let elsewhere := match acting c with
                    | Some (FirstReference | OtherReference | FloatingReference | ReturnFromReference | MachinePosition) => true
                    | _ => false
                    end in
-  let turns := names s rotary c in
+  let moved := map2 (fun letter number => rotary letter && given number) (axes s) numbers in
+  let turns := names s rotary c || existsb (fun here => here) moved in
   match kinematics_of s, stands_at (control st) with
   | Some k, Some _ =>
       if elsewhere && turns then Got (ControlState None None None None)
       else
-        p <- commanded_pose s k (coordinates_of st) (incremental (in_modes c)) (position_words c) (pose_of s k st) ;;
+        p <- commanded_pose s k (coordinates_of st) (incremental (in_modes c)) numbers (pose_of s k st) ;;
         let along := match in_control (control st) with
                      | Some m => Some (direction m)
                      | None => stands_along (control st)

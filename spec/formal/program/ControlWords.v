@@ -133,8 +133,8 @@ Record beside_control := BesideControl {
   after_block : bool       (* one of them is on after it *)
 }.
 
-(** fanuc.tool-center-point.alarm-order: by words, the first of these. *)
-Definition control_alarms {num} {N : Numbers num} (s : setup num) (c : command num) (st : state num)
+(** fanuc.tool-center-point.alarm-order: by words, the first of these. Of a block in the drilling mode, or not. *)
+Definition control_alarms {num} {N : Numbers num} (s : setup num) (c : command num) (st : state num) (in_cycle : bool)
     (beside : beside_control) : outcome unit :=
   let codes := codes_said c in
   let code := control_code codes in
@@ -150,7 +150,7 @@ Definition control_alarms {num} {N : Numbers num} (s : setup num) (c : command n
   let length_code := match last_of lengths codes with Some l => among l [430; 440] | None => false end in
   let refuses_length := given (type_before st) && length_code in
   (* fanuc.tool-center-point.forbidden *)
-  _ <- alarm_if ((under || refuses_length) && (origins || is_forbidden codes))
+  _ <- alarm_if ((under || refuses_length) && (origins || is_forbidden codes || in_cycle))
          "forbidden-under-tool-direction" ;;
   (* fanuc.tool-center-point.exclusion: G43 or G44 under control, and the code while an axis has a length offset *)
   offset <- (if of_code then offset_axes (vector (length_of st)) else Got (no_axes s)) ;;

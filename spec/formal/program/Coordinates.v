@@ -48,6 +48,7 @@ Definition additional_number {num} (b : block num) : option Z :=
 (** fanuc.program.additional-system: G54 with a P is G54.1, where P belongs to nothing else of the block. *)
 Definition takes_p {num} (codes : list Z) (b : block num) : bool :=
   takes_letters codes || existsb (fun code => among code [300; 434; 435]) codes ||
+  match last_of cycles codes with Some code => negb (code =? 800) | None => false end ||
   existsb (fun w => match address w, tenths w with Letter.M, Some t => among t [980; 990] | _, _ => false end) (words b).
 
 (** fanuc.program.workpiece-system: G54 to G59 and G54.1 select the workpiece system. *)

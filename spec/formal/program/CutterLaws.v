@@ -70,7 +70,7 @@ Lemma own_moves_at {num} {N : Numbers num} (s : setup num) p b why v w all :
   Forall (fun i => match i with Go m => head m = with_plane s p (zeros s) w | _ => True end) all.
 Proof.
   unfold own_move_between; intro H. apply each_got in H. induction H as [|i j rest done E _ IH]; [constructor|].
-  constructor; [|exact IH]. destruct i as [m|part a q x|name|name value]; try (apply same in E as <-; exact I).
+  constructor; [|exact IH]. destruct i as [m|part a q x|name|name value|h]; try (apply same in E as <-; exact I).
   destruct (circle_of (for_cause _ _)); [apply bound in E as (? & _ & E)|]; apply same in E as <-; reflexivity.
 Qed.
 
@@ -199,7 +199,7 @@ Proof. intro O. apply own_moves_at in O. rewrite zeros_of_plane in O. exact O. Q
 
 Lemma head_items_of_zero (s : setup R) p all : Forall (bare_item s) (at_head s p zero2 all).
 Proof.
-  apply Forall_map, Forall_forall. intros [m| | |] _; cbn; auto. apply zeros_of_plane.
+  apply Forall_map, Forall_forall. intros [m| | | |] _; cbn; auto. apply zeros_of_plane.
 Qed.
 
 Lemma still_items (s : setup R) all : Forall (bare_item s) (still all).
@@ -209,13 +209,13 @@ Lemma at_once_of_zero (s : setup R) b why new : at_once s b why zero2 zero2 = Go
 Proof.
   unfold at_once; intro H. apply bound in H as (first & _ & H). apply bound in H as (second & _ & H).
   destruct (has_axis_word _ || _); apply same in H as <-.
-  - apply Forall_map, Forall_forall. intros [m| | |] _; cbn; auto. apply zeros_of_plane.
+  - apply Forall_map, Forall_forall. intros [m| | | |] _; cbn; auto. apply zeros_of_plane.
   - constructor; [apply zeros_of_plane|apply still_items].
 Qed.
 
 Lemma going_away_of_zero (s : setup R) b : value_zero s b -> Forall (bare_item s) (going_away s zero2 b).
 Proof.
-  intros (B & _ & _ & V). unfold going_away. rewrite V. destruct (items b) as [|[m|part a q x|name|name value] rest];
+  intros (B & _ & _ & V). unfold going_away. rewrite V. destruct (items b) as [|[m|part a q x|name|name value|h] rest];
     try exact B.
   constructor; [|apply head_items_of_zero].
   cbn [bare_item]. unfold without_head, at_vector, with_head. cbn [head].

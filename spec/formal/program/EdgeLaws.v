@@ -179,7 +179,7 @@ Proof.
           destruct next as [vm| |]; [now apply (OF vm)|now apply (OF (travel_in_space s b))|apply same in M; now subst].
           }
         split; [|exact MZ]. rewrite MZ. unfold at_heads; cbn [items with_items].
-        apply Forall_map, Forall_forall. intros [m| | |] _; cbn; auto. exact (zeros_of_space (N := reals) s).
+        apply Forall_map, Forall_forall. intros [m| | | |] _; cbn; auto. exact (zeros_of_space (N := reals) s).
       - apply same in L. injection L as <- <-. split; [|exact I]. cbn. constructor; [reflexivity|].
         apply Forall_forall. intros i J. apply filter_In in J as [_ J]. now destruct i.
       - apply bound in L as (made & M & L). apply same in L. injection L as <- <-.

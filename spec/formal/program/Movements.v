@@ -28,8 +28,10 @@ Inductive item (num : Type) :=
 | Go (m : movement num)
 | Inside (part : Z * Z) (at_point positions : values num) (axis : num * num * num)   (* a sample *)
 | Warn (name : string)
-| Write (name : string) (value : num).
+| Write (name : string) (value : num)
+| Drill (h : hole num).
 Arguments Go {num} m. Arguments Inside {num} part at_point positions axis. Arguments Warn {num} name. Arguments Write {num} name value.
+Arguments Drill {num} h.
 
 (** A block as it runs: by its words and what was before, without anything of blocks behind it. *)
 Record planned (num : Type) := Planned {
@@ -94,6 +96,7 @@ Definition event_of {num} {N : Numbers num} (i : item num) : event num :=
   | Inside part at_point positions axis => Sampled part at_point positions axis
   | Warn name => Warned name
   | Write name value => Setting name value
+  | Drill h => Drilled h
   end.
 
 (** The events of a plan, each with the place of its block. *)

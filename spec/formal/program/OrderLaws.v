@@ -272,7 +272,7 @@ Proof.
   { repeat constructor. }
   destruct (step decimal s place b st) as [[p alarm]|number|clause] eqn:E;
     try (cbn; repeat split; try constructor; lia).
-  apply step_is_stepped in E as (after & moves & settings & E). apply its_place in E.
+  apply step_is_stepped in E as (after & moves & others & E). apply its_place in E.
   destruct alarm as [number|].
   { cbn. rewrite E. repeat split; repeat constructor; lia. }
   destruct (ends b).

@@ -82,19 +82,33 @@ Arguments Move {num}. Arguments travel_of {num}. Arguments cause_of {num}. Argum
 Arguments tool_point {num}. Arguments axis_positions {num}. Arguments machine_positions {num}. Arguments arc_of {num}.
 Arguments feed_of {num}. Arguments tool_axis {num}.
 
+(** What a canned cycle drills. *)
+Record hole (num : Type) := Hole {
+  drilled_along : nat;                 (* the place of the drilling axis *)
+  hole_point : values num;             (* before the length offset, the drilling axis at the level of the return *)
+  point_r_level : num;                 (* along the drilling axis, before the length offset *)
+  bottom_level : num;
+  return_level : num;
+  positions_behind : values num        (* what the axes stand at behind the hole *)
+}.
+Arguments Hole {num}. Arguments drilled_along {num}. Arguments hole_point {num}. Arguments point_r_level {num}.
+Arguments bottom_level {num}. Arguments return_level {num}. Arguments positions_behind {num}.
+
 Inductive event (num : Type) :=
 | Moves (m : move num)
 | Sampled (part : Z * Z) (at_point positions : values num) (axis : num * num * num)   (* inside a block *)
 | Setting (name : string) (value : num)
 | Warned (name : string)
 | Raised (number : string)
-| NotDecided (clause : string).
+| NotDecided (clause : string)
+| Drilled (h : hole num).
 Arguments Moves {num} m.
 Arguments Sampled {num} part at_point positions axis.
 Arguments Setting {num} name value.
 Arguments Warned {num} name.
 Arguments Raised {num} number.
 Arguments NotDecided {num} clause.
+Arguments Drilled {num} h.
 
 (** By place. *)
 Fixpoint map2 {A B C} (f : A -> B -> C) (xs : list A) (ys : list B) : list C :=

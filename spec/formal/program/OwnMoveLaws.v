@@ -36,11 +36,11 @@ Theorem planned_own_move {num} {N : Numbers num} decimal (s : setup num) bs plac
     (fst (planned_from decimal s bs place st)).
 Proof.
   apply (planned_all decimal s (fun _ => True) (fun _ => True)); [|apply Forall_forall; auto|exact I].
-  intros ? ? ? p after moves settings _ _ T. split; [exact I|]. intros G E. destruct T.
+  intros ? ? ? p after moves others _ _ T. split; [exact I|]. intros G E. destruct T.
   destruct (one_move G E) as (m & -> & P). rewrite its_items, own_app. cbn [map].
-  rewrite (own_none settings).
+  rewrite (own_none others).
   - unfold own_moves. cbn. now rewrite P.
-  - rewrite forallb_forall in its_settings. apply Forall_forall. intros i M. apply its_settings in M. now destruct i.
+  - rewrite forallb_forall in its_others. apply Forall_forall. intros i M. apply its_others in M. now destruct i.
 Qed.
 
 Definition along_z : block R := Block [natural Letter.G 1; natural Letter.Z 10] None.
@@ -60,7 +60,7 @@ Proof.
   intros W H. unfold own_move_between in H. apply each_got in H. unfold own_moves.
   induction H as [|i j rest done E _ IH]; [reflexivity|].
   assert (O : is_own j = is_own i).
-  { destruct i as [m|part a q x|name|name value]; try (now apply same in E as <-).
+  { destruct i as [m|part a q x|name|name value|h]; try (now apply same in E as <-).
     destruct (circle_of (for_cause _ _)); [apply bound in E as (? & _ & E)|]; apply same in E as <-; cbn;
       destruct (because m); auto;
       now rewrite W. }
@@ -87,7 +87,7 @@ Proof. apply own_none, Forall_map, Forall_forall. now intros v _. Qed.
 Lemma own_going_away {num} {N : Numbers num} (s : setup num) v b : own_moves (going_away s v b) = own_moves (items b) \/
   existsb (fun i => match i with Go m => inserted (because m) | _ => false end) (items b) = true.
 Proof.
-  unfold going_away. destruct (items b) as [|[m|part a q x|name|name value] rest] eqn:E; try (now left).
+  unfold going_away. destruct (items b) as [|[m|part a q x|name|name value|h] rest] eqn:E; try (now left).
   destruct (inserted (because m)) eqn:I; [right; cbn; now rewrite I|left].
   unfold own_moves. cbn [filter is_own]. rewrite I. cbn [negb].
   match goal with |- context [if negb ?x then _ else _] => assert (J : x = false) end.
@@ -112,7 +112,7 @@ Proof.
     apply bound in M as (second & _ & M).
     cbn [orb] in M. apply same in M as <-. clear - W O. induction (items b) as [|i all IH]; [reflexivity|].
     cbn in O. apply andb_prop in O as [O O']. specialize (IH O'). unfold own_moves in *.
-    destruct i as [m|part a q x|name|name value]; cbn in *; try exact IH. rewrite W, O. cbn. now rewrite IH. }
+    destruct i as [m|part a q x|name|name value|h]; cbn in *; try exact IH. rewrite W, O. cbn. now rewrite IH. }
   assert (AWAY : forall v, own_moves (going_away s v b) = own_moves (items b)).
   { intro v. destruct (own_going_away s v b) as [E|E]; [exact E|rewrite E in NONE; discriminate]. }
   unfold block_c in H. destruct (part_of b) eqn:P; try (now destruct G).
@@ -265,7 +265,7 @@ Lemma items_keep_own {num} {N : Numbers num} (s : setup num) b m old run start f
 Proof.
   induction all as [|i all IH]; intros from own_done done last H; cbn [items_under_control] in H.
   - apply same in H. now injection H as <- _.
-  - destruct i as [g|part a q x|name|name value];
+  - destruct i as [g|part a q x|name|name value|h];
       try (apply bound in H as ([later end_] & L & H); apply same in H; injection H as <- _; apply IH in L;
         unfold own_moves in *; cbn; exact L).
     apply bound in H as ([first own'] & F & H). apply bound in H as ([later end_] & L & H). apply same in H.

@@ -71,7 +71,7 @@ Proof.
   - cbn [hd]. now rewrite at_no_head.
   - reflexivity.
   - unfold going_away. rewrite O, O', V. cbn [hd]. rewrite andb_false_r. cbn [negb andb].
-    destruct (items b) as [|[m| | |] others]; try reflexivity.
+    destruct (items b) as [|[m| | | |] others]; try reflexivity.
     inversion B; subst. now rewrite at_no_vector, at_no_head.
 Qed.
 
@@ -170,8 +170,8 @@ Definition left_alone {num} {N : Numbers num} (s : setup num) (b : planned num) 
   (cutter_b s = false -> without_c s b) /\ made (side (behind b)) = false /\ leads (edge (behind b)) = false /\
   in_control (control (behind b)) = None.
 
-Lemma writes_are_bare {num} {N : Numbers num} (s : setup num) all :
-  forallb is_write all = true -> Forall (bare_item s) all.
+Lemma others_are_bare {num} {N : Numbers num} (s : setup num) all :
+  forallb is_no_move all = true -> Forall (bare_item s) all.
 Proof.
   intro W. rewrite forallb_forall in W. apply Forall_forall. intros i I. apply W in I. now destruct i.
 Qed.
@@ -197,8 +197,8 @@ Proof.
     injection R as <- <- <- _ _. auto.
 Qed.
 
-Lemma nothing_on_stays {num} {N : Numbers num} (s : setup num) place b st p after moves settings :
-  asks_for_none b -> nothing_on st -> stepped s place b st p after moves settings ->
+Lemma nothing_on_stays {num} {N : Numbers num} (s : setup num) place b st p after moves others :
+  asks_for_none b -> nothing_on st -> stepped s place b st p after moves others ->
   nothing_on (behind p) /\ left_alone s p.
 Proof.
   intros A [H P V S M E C] T. destruct T.
@@ -238,7 +238,7 @@ Proof.
   { rewrite control_found. apply control_none. apply no_control_said; [exact A|now rewrite control_kept]. }
   split; [now constructor|]. split; [now rewrite cutter_kept|]. split; [|auto].
   intro B. split; [now rewrite cutter_kept|]. split; [exact P'|]. split; [exact V'|]. split; [now apply PART|].
-  rewrite its_items. apply Forall_app; split; [|now apply writes_are_bare].
+  rewrite its_items. apply Forall_app; split; [|now apply others_are_bare].
   now apply Forall_map.
 Qed.
 

@@ -2,9 +2,9 @@
 (** A FANUC program: from blocks to events. *)
 From Coq Require Import List String ZArith Bool PeanoNat.
 From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset ToolShift Measurement.
-From Toolcomp Require Import EdgeState SideState ControlState State.
+From Toolcomp Require Import EdgeState SideState ControlState CycleState State.
 From Toolcomp Require Import Movements OwnMove CutterRules CutterModes CutterWords SideWords EdgeWords ControlWords.
-From Toolcomp Require Import ControlStep Compensation.
+From Toolcomp Require Import ControlStep DrillingCycle Compensation.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.
@@ -32,9 +32,9 @@ Definition next_feed {num} {N : Numbers num} (s : setup num) (m : modes) (b : bl
 Definition is_shift (code : option action) : bool :=
   match code with Some Lengthen | Some Shorten | Some LengthenTwice | Some ShortenTwice => true | _ => false end.
 
-(** fanuc.program.no-feed: a cutting move without F, or with F 0, raises PS0011. *)
-Definition feed_alarm {num} {N : Numbers num} (s : setup num) (m : modes) (codes : list Z) (b : block num)
-    (f : option num) : outcome unit :=
+(** fanuc.program.no-feed: a cutting move, and in the drilling mode a hole, without F, or with F 0, raises PS0011. *)
+Definition feed_alarm {num} {N : Numbers num} (s : setup num) (m : modes) (codes : list Z) (in_cycle holes_made : bool)
+    (b : block num) (f : option num) : outcome unit :=
   let code := action_of codes in
   let own := negb (takes_letters codes) in
   let has letter := given (last_word letter (words b)) in
@@ -45,8 +45,9 @@ Definition feed_alarm {num} {N : Numbers num} (s : setup num) (m : modes) (codes
     | Clockwise | Counterclockwise =>
         (own && (existsb has (axes s) || existsb has [Letter.I; Letter.J; Letter.K])) || has Letter.R
     end in
+  let cuts := if in_cycle then holes_made else (negb (given code) || is_shift code) && moves in
   lacks <- match f with Some x => is_zero "fanuc.program.no-feed" x | None => Got true end ;;
-  alarm_if (feed_per_minute m && (negb (given code) || is_shift code) && moves && lacks) "no-feed".
+  alarm_if (feed_per_minute m && cuts && lacks) "no-feed".
 
 (** No path belongs to these. *)
 Definition stays (code : option action) : bool :=
@@ -123,29 +124,44 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
     h <- offset_number s Letter.H b ;;
     d <- offset_number s Letter.D b ;;
     c <- select_system codes b (coordinates_of st) ;;
-    _ <- feed_alarm s m codes b (next_feed s m b (feed st)) ;;
+    let x := cycle_with s codes (in_plane m) (cycle st) in
+    let in_cycle := given (drilling x) in
+    let drills := in_cycle && names_hole s codes b in
+    let holes_made := makes_holes s codes b x in
+    _ <- feed_alarm s m codes in_cycle holes_made b (next_feed s m b (feed st)) ;;
     let all_numbers := axis_numbers s (in_inches m) b in
     let letters_are_data := takes_letters codes in
     let data := letters_are_data || renames code in
     let ignored := match code with Some MachinePosition => incremental m | _ => false end in
     let no_numbers := map (fun _ => None) (axes s) in
-    let numbers := if data || ignored then no_numbers else all_numbers in
+    let moving_numbers := if data || ignored then no_numbers else all_numbers in
+    (* fanuc.canned-cycle.drills: in the drilling mode they are those of holes, and name no axis. *)
+    let numbers := if in_cycle then no_numbers else moving_numbers in
     (* Of G52, G92, G39 and a G53 that is ignored too. *)
-    let naming := if letters_are_data then no_numbers else all_numbers in
+    let naming := if letters_are_data || drills then no_numbers else all_numbers in
     let st := control_left s codes st in
     let position := renamed s (coordinates_of st) c (programmed st) in
     let said := Command b codes code m h d all_numbers numbers naming in
-    let to_length := LengthCommand (length_code_of codes) h (in_plane m) (which naming)
+    (* fanuc.canned-cycle.length-offset: type C takes the drilling axis. *)
+    let to_offset := match drilling x with
+                     | Some d => if drills then the_axis s (drilling_axis d) else which naming
+                     | None => which naming
+                     end in
+    let to_length := LengthCommand (length_code_of codes) h (in_plane m) to_offset
                      (match words b with [] => false | _ => true end) (existsb (fun c => among c [400; 410; 420]) codes)
                      (if goes_to_machine_position code then which numbers else no_axes s) in
     let side_after := asked_behind s said st in
     let edge_after := leads_behind said (edge st) in
-    _ <- control_alarms s said st
+    let in_plane_before := cutter_on s (cutter st) (shared st) in
+    let in_plane_after := cutter_on_after s said st in
+    _ <- control_alarms s said st in_cycle
            (BesideControl (leads (edge st) || edge_after) (side_on (side st) || side_after) (side_after || edge_after)) ;;
+    _ <- cycle_alarms s said x drills (in_plane_before || side_on (side st) || leads (edge st))
+           (side_after || edge_after) in_plane_after ;;
     _ <- edge_alarms s said st ;;
     _ <- side_alarms s said st ;;
     _ <- cutter_alarms s said st ;;
-    let in_plane_on := cutter_on s (cutter st) (shared st) || cutter_on_after s said st in
+    let in_plane_on := in_plane_before || in_plane_after in
     let compensates := in_plane_on || side_on (side st) || side_after || leads (edge st) || edge_after in
     let measures := match code with Some Measure => true | _ => false end in
     _ <- (if measures then measurement_words s m to_length in_plane_on (length_of st) else Got tt) ;;
@@ -161,7 +177,7 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
                  if shifts_system s && negb (given (type_with codes st))
                  then in_shifted_system s to_length compensates st position else Got position) ;;
     let st := State m (next_feed s m b (feed st)) c' position (shift st) (length_of st) (next_shared s d h (shared st))
-                (offsets_of st) (intermediate st) (cutter st) (side st) (edge st) (control st) in
+                (offsets_of st) (intermediate st) (cutter st) (side st) (edge st) (control st) x in
     let at_start := st in
     let named := which numbers in
     let to_machine := goes_to_machine_position code in
@@ -169,17 +185,18 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
     let to := destination (incremental m) position numbers in
     let path_block := if by_vector (type_with codes st) then without_direction b else b in
     circle_of <-
-      (if negb (elsewhere || stays code) && runs_arc m s numbers letters_are_data path_block
+      (if negb (elsewhere || stays code || in_cycle) && runs_arc m s numbers letters_are_data path_block
        then
-         arc_between s m (negb (cutter_b s) && cutter_on_after s said st) path_block
+         arc_between s m (negb (cutter_b s) && in_plane_after) path_block
            (in_plane_of s (in_plane m) position) (in_plane_of s (in_plane m) to)
        else Got None) ;;
-    (* G45 to G48. *)
+    (* G45 to G48. fanuc.canned-cycle.tool-offset: in the drilling mode they store their number. *)
+    let shifts := is_shift code && negb in_cycle in
     let offset_mode := match length_code_of codes with
                        | Some G49 => false | Some _ => true | None => given (in_force (length_of st)) end in
-    _ <- alarm_if (is_shift code && by_h_number s && offset_mode) "tool-offset-length" ;;
+    _ <- alarm_if (shifts && by_h_number s && offset_mode) "tool-offset-length" ;;
     longer <-
-      (if is_shift code && (negb (empty named) || given circle_of) then
+      (if shifts && (negb (empty named) || given circle_of) then
          let '(by_, number) :=
            if by_h_number s
            then (ByH, or_else (new_number s to_length (length_of st)) (number_in_force (length_of st)))
@@ -198,13 +215,20 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
                | Some (_, run) => control_moves s said run st
                | None =>
                    (* fanuc.length-offset.shifted-system: nothing moves. *)
-                   other <- (if shifts_system s then Got false else differs (vector at_end) (vector (length_of st))) ;;
-                   Got (other || cancel_moves s st)
+                   (* fanuc.canned-cycle.length-offset: it counts in the holes. *)
+                   other <- (if shifts_system s || holes_made then Got false
+                             else differs (vector at_end) (vector (length_of st))) ;;
+                   Got (other || (cancel_moves s st && negb holes_made))
                end ;;
-    control_now <- match controlled with Some (_, run) => Got run | None => without_control s said st end ;;
+    control_now <- match controlled with
+                   | Some (_, run) => Got run
+                   | None => without_control s said
+                               (if drills then numbers_of_all_holes said moving_numbers else numbers) st
+                   end ;;
     let st := with_control (with_length st at_end) control_now in
     '(st, moves, alarm, writing) <-
       moves_of_block s said path_block circle_of changed longer target on_way control_now writing st ;;
+    let '(st, holes) := cycle_step s said drills moving_numbers st in
     (* G52, G92 and G10 count behind the block. *)
     let coordinates_behind := match code with
       | Some LocalSystem => with_local naming (coordinates_of st)
@@ -220,7 +244,7 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
     side' <- side_behind s said at_start st moves ;;
     cutter' <- cutter_behind s said at_start st moves ;;
     let st := with_control (with_edge (with_side (with_cutter st cutter') side') edge') control' in
-    Got (Planned place said at_start st (map Go moves ++ settings), alarm)
+    Got (Planned place said at_start st (map Go moves ++ map Drill holes ++ settings), alarm)
   end.
 
 (** fanuc.program.end: M02 and M30 end the program after their block. *)

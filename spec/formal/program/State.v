@@ -2,7 +2,7 @@
 (** What a program has come to behind a block, and what a block says. *)
 From Coq Require Import List String ZArith Bool PeanoNat.
 From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset ToolShift.
-From Toolcomp Require Import CutterState SideState EdgeState ControlState.
+From Toolcomp Require Import CutterState SideState EdgeState ControlState CycleState.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.
@@ -21,14 +21,16 @@ Record state (num : Type) := State {
   cutter : cutter_state num;             (* cutter compensation *)
   side : side_state num;                 (* tool side compensation *)
   edge : edge_state num;                 (* leading edge offset *)
-  control : control_state num            (* tool center point control *)
+  control : control_state num;           (* tool center point control *)
+  cycle : cycle_state num                (* canned cycles *)
 }.
 Arguments State {num}. Arguments modes_of {num}. Arguments feed {num}. Arguments coordinates_of {num}.
 Arguments programmed {num}. Arguments shift {num}. Arguments length_of {num}. Arguments shared {num}.
 Arguments offsets_of {num}. Arguments intermediate {num}. Arguments cutter {num}. Arguments side {num}.
-Arguments edge {num}. Arguments control {num}.
+Arguments edge {num}. Arguments control {num}. Arguments cycle {num}.
 
-(** fanuc.program.initial-state: G00 G17 G90 G94 G40 G49 G54, at the position of the setup, with H0 and D0, without F. *)
+(** fanuc.program.initial-state: G00 G17 G90 G94 G40 G49 G54 G80 G98, at the position of the setup, with H0 and D0,
+    without F. *)
 (** fanuc.program.feed: 1411 is the F at power-on, where it is not 0. *)
 Definition initial_feed {num} (s : setup num) : option num :=
   match whole_parameter s "1411" with Some 0 => None | _ => parameter s "1411" end.
@@ -36,36 +38,39 @@ Definition initial_feed {num} (s : setup num) : option num :=
 Definition initial {num} {N : Numbers num} (s : setup num) : state num :=
   State (initial_modes (inches s)) (initial_feed s) (given_coordinates s) (start s) (zeros s) (no_length_offset s) (ByD, 0)
     (given_offsets s) (map (fun _ => None) (axes s)) (initial_cutter s) (initial_side s) (initial_edge s)
-    (initial_control s).
+    (initial_control s) initial_cycle.
 
 (** With one of them another. *)
 Definition at_position {num} (st : state num) (position shift : values num) : state num :=
   State (modes_of st) (feed st) (coordinates_of st) position shift (length_of st) (shared st) (offsets_of st)
-    (intermediate st) (cutter st) (side st) (edge st) (control st).
+    (intermediate st) (cutter st) (side st) (edge st) (control st) (cycle st).
 Definition with_length {num} (st : state num) (x : length_offset num) : state num :=
   State (modes_of st) (feed st) (coordinates_of st) (programmed st) (shift st) x (shared st) (offsets_of st)
-    (intermediate st) (cutter st) (side st) (edge st) (control st).
+    (intermediate st) (cutter st) (side st) (edge st) (control st) (cycle st).
 Definition with_offsets {num} (st : state num) (x : offsets num) : state num :=
   State (modes_of st) (feed st) (coordinates_of st) (programmed st) (shift st) (length_of st) (shared st) x
-    (intermediate st) (cutter st) (side st) (edge st) (control st).
+    (intermediate st) (cutter st) (side st) (edge st) (control st) (cycle st).
 Definition with_intermediate {num} (st : state num) (x : some_values num) : state num :=
   State (modes_of st) (feed st) (coordinates_of st) (programmed st) (shift st) (length_of st) (shared st)
-    (offsets_of st) x (cutter st) (side st) (edge st) (control st).
+    (offsets_of st) x (cutter st) (side st) (edge st) (control st) (cycle st).
 Definition with_cutter {num} (st : state num) (x : cutter_state num) : state num :=
   State (modes_of st) (feed st) (coordinates_of st) (programmed st) (shift st) (length_of st) (shared st)
-    (offsets_of st) (intermediate st) x (side st) (edge st) (control st).
+    (offsets_of st) (intermediate st) x (side st) (edge st) (control st) (cycle st).
 Definition with_side {num} (st : state num) (x : side_state num) : state num :=
   State (modes_of st) (feed st) (coordinates_of st) (programmed st) (shift st) (length_of st) (shared st)
-    (offsets_of st) (intermediate st) (cutter st) x (edge st) (control st).
+    (offsets_of st) (intermediate st) (cutter st) x (edge st) (control st) (cycle st).
 Definition with_edge {num} (st : state num) (x : edge_state num) : state num :=
   State (modes_of st) (feed st) (coordinates_of st) (programmed st) (shift st) (length_of st) (shared st)
-    (offsets_of st) (intermediate st) (cutter st) (side st) x (control st).
+    (offsets_of st) (intermediate st) (cutter st) (side st) x (control st) (cycle st).
 Definition with_control {num} (st : state num) (x : control_state num) : state num :=
   State (modes_of st) (feed st) (coordinates_of st) (programmed st) (shift st) (length_of st) (shared st)
-    (offsets_of st) (intermediate st) (cutter st) (side st) (edge st) x.
+    (offsets_of st) (intermediate st) (cutter st) (side st) (edge st) x (cycle st).
 Definition in_coordinates {num} (st : state num) (x : coordinates num) : state num :=
   State (modes_of st) (feed st) x (programmed st) (shift st) (length_of st) (shared st) (offsets_of st)
-    (intermediate st) (cutter st) (side st) (edge st) (control st).
+    (intermediate st) (cutter st) (side st) (edge st) (control st) (cycle st).
+Definition with_cycle {num} (st : state num) (x : cycle_state num) : state num :=
+  State (modes_of st) (feed st) (coordinates_of st) (programmed st) (shift st) (length_of st) (shared st)
+    (offsets_of st) (intermediate st) (cutter st) (side st) (edge st) (control st) x.
 
 (** What a block says. *)
 Record command (num : Type) := Command {

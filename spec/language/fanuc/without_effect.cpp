@@ -8,9 +8,8 @@ namespace toolcomp::spec {
 namespace {
 
 // Ascending, in tenths.
-constexpr std::array<std::uint64_t, 29> kCodes{50,  51,  80,  90,  110, 131, 150,  220,  230, 250,
-                                               401, 500, 501, 502, 610, 611, 620,  630,  640, 670,
-                                               690, 800, 960, 970, 980, 990, 1130, 1500, 1600};
+constexpr std::array<std::uint64_t, 26> kCodes{50,  51,  80,  90,  110, 131, 150, 220, 230, 250, 401,  500,  501,
+                                               502, 610, 611, 620, 630, 640, 670, 690, 960, 970, 1130, 1500, 1600};
 static_assert(std::ranges::is_sorted(kCodes));
 
 // M00 M01 M02 M30 end or stop the reading ahead, M98 and M99 call and return.

@@ -61,7 +61,12 @@ std::string feed_text(const Block& block) {
 
 std::string function_words(const Block& block) {
   std::string text;
-  for (std::size_t i = 0; i < block.functions; ++i) text += " M" + std::to_string(block.function[i]);
+  constexpr std::uint16_t kRetraction = 140;
+  for (std::size_t i = 0; i < block.functions; ++i) {
+    text += " M" + std::to_string(block.function[i]);
+    if (block.function[i] != kRetraction || block.retraction == Retraction::none) continue;
+    text += block.retraction == Retraction::by ? " MB" + to_string(block.retraction_by) : std::string(" MB MAX");
+  }
   return text;
 }
 
@@ -106,7 +111,7 @@ std::string statement(const Block& block) {
     case Statement::tool_definition:
       return "TOOL DEF 0";
     case Statement::line:
-      return 'L' + axis_words(block) + tail(block);
+      return (block.departs ? "DEP LT LEN1" : "L") + axis_words(block) + tail(block);
     case Statement::line_with_vectors:
       return "LN" + axis_words(block) + (block.has_normal ? vector_words('N', block.normal) : "") +
              (block.has_tool_vector ? vector_words('T', block.tool_vector) : "") + tail(block);

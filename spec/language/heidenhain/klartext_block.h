@@ -22,7 +22,7 @@ enum class Statement : std::uint8_t {
   block_form,          // BLK FORM 0.1, 0.2
   tool_call,           // TOOL CALL: tool, tool_axis, deltas, feed
   tool_definition,     // TOOL DEF
-  line,                // L: axis words, radius, feed, M functions
+  line,                // L: axis words, radius, feed, M functions; M140 of any block; departures from a contour
   line_with_vectors,   // LN: X Y Z, normal, tool_vector, radius, feed, M functions
   tcpm,                // FUNCTION TCPM: reference
   reset_tcpm,          // FUNCTION RESET TCPM, FUNCTION TCPM OFF
@@ -66,6 +66,8 @@ enum class FeedWord : std::uint8_t { none, f, f_max, f_auto, f_z, f_u };
 enum class ReferenceWord : std::uint8_t { tip_tip, tip_center, center_center };
 enum class CorrectionTable : std::uint8_t { tcs, wpl, both };
 
+enum class Retraction : std::uint8_t { none, by, to_limit };  // M140 MB n, M140 MB MAX
+
 enum class ToolWord : std::uint8_t { none, number, name, string_parameter };
 
 // What the control raises when it reaches a block it cannot read (docs/events.md, rule 5).
@@ -108,6 +110,11 @@ struct Block {
   // L, LN, STOP, M alone: M functions in the order written
   std::uint8_t functions = 0;
   std::array<std::uint16_t, kMostFunctions> function{};
+
+  // L: M140, in a block without axis words
+  Retraction retraction = Retraction::none;
+  Value retraction_by;
+  bool departs = false;  // DEP LT, LN or CT, of which the words say no end
 
   // TOOL CALL
   ToolWord tool = ToolWord::none;

@@ -199,6 +199,7 @@ const char* BlockParser::line(Block& block, const char* at) {
   block.axes = static_cast<std::uint16_t>(axes);
   block.incremental = static_cast<std::uint16_t>(incremental);
   block.many_digits = many_digits;
+  block.departs = false;
   if ((axes & kRotarySlots) != 0) [[unlikely]] {
     turned_ = turned_ || turns(block);
     if ((axes & incremental & renamed_) != 0)
@@ -297,6 +298,7 @@ const char* BlockParser::radius(Block& block, const char* at) {
   if ((kind != '0' && kind != 'L' && kind != 'R') || !at_word_end(at + 2)) return bad_word(block, at);
   block.radius = kind == '0' ? RadiusWord::r0 : kind == 'L' ? RadiusWord::rl : RadiusWord::rr;
   beside_ = kind != '0';
+  lateral_ = beside_ && (lateral_ || tcpm_);
   return gap(at + 2);
 }
 
@@ -318,6 +320,7 @@ const char* BlockParser::feed(Block& block, const char* at) {
 }
 
 const char* BlockParser::functions(Block& block, const char* at) {
+  block.retraction = Retraction::none;
   while (upper(*at) == 'M') {
     const char* const word = at;
     if (at_word_end(at + 1)) {

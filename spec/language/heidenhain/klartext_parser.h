@@ -89,6 +89,7 @@ class BlockParser {
   const char* feed(Block& block, const char* at);
   const char* functions(Block& block, const char* at);
   const char* words_of_function(Block& block, const char* at, std::uint64_t number, const char* function);
+  const char* retraction(Block& block, const char* at, const char* function);
   [[nodiscard]] const char* not_judged(std::uint64_t function) const;
   const char* words_without_effect(Block& block, const char* at);
 
@@ -143,6 +144,7 @@ class BlockParser {
   unsigned renamed_ = 0;  // by slot: M94 may have taken whole turns from the position of this axis
   bool tcpm_ = false;     // TCPM is on
   bool beside_ = false;   // RL or RR
+  bool lateral_ = false;  // and TCPM has been on since
   ParameterValues parameters_;
   bool unknown_ = false;         // one of them has no value here
   std::optional<Value> preset_;  // the number selected first

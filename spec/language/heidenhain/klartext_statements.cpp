@@ -289,6 +289,7 @@ const char* BlockParser::function(Block& block, const char* at) {
 const char* BlockParser::tcpm(Block& block, const char* at) {
   block.statement = Statement::tcpm;
   tcpm_ = true;
+  lateral_ = lateral_ || beside_;
   block.reference = ReferenceWord::tip_tip;
   const auto one_of = [&](std::string_view word, std::string_view one, std::string_view other) {
     const char* behind = words(at, word, one);
@@ -490,6 +491,7 @@ bool BlockParser::takes_unknown(const Block& block) const {
   if (line || block.statement == Statement::cycle)
     for (std::size_t slot = 0; slot < block.axis.size(); ++slot)
       if (block.has_axis(slot) && unknown(block.axis.at(slot))) return true;
+  if (line && block.retraction == Retraction::by && unknown(block.retraction_by)) return true;
   if ((line || call) && block.feed == FeedWord::f && unknown(block.feed_value)) return true;
   if (call)
     for (const auto* delta : {&block.dl, &block.dr, &block.dr2})

@@ -96,7 +96,6 @@ constexpr auto kFunctions = std::to_array<Numbered>({
 constexpr auto kMoving = std::to_array<Numbered>({
     {89, "M89 (cycle call) is not supported"},
     {99, "M99 (cycle call) is not supported"},
-    {140, "M140 (retraction along the tool axis) is not supported"},
 });
 // Those after which positions are not known.
 constexpr auto kNotJudged = std::to_array<Numbered>({
@@ -215,27 +214,30 @@ const char* BlockParser::contour_words(Block& block, const char* at) {
 }
 
 // Under RL or RR without TCPM nothing of a contour is modelled but where its blocks end: arcs and approaches end as
-// lines do, and roundings and chamfers lie between two of them.
+// lines do, roundings and chamfers lie between two of them, and departures without coordinates end nobody knows where.
 const char* BlockParser::contour(Block& block, const char* at, const char* behind, const char* message) {
   const char* const initiator = at;
   const bool between = read_word(at, "RND") != nullptr || read_word(at, "CHF") != nullptr;
   if (between && beside_ && !tcpm_) return without_effect(block);
   if (between) return refuse(block, initiator, message);
   at = behind;
+  bool without_end = false;
   const bool departs = read_word(initiator, "DEP") != nullptr;
   if (departs || read_word(initiator, "APPR") != nullptr) {
     const char* form = words(at, "LCT");  // of the departures the one that says where it ends
+    without_end = departs && form == nullptr;
     for (const std::string_view each : {"LT", "LN", "CT"})
-      if (form == nullptr && !departs) form = words(at, each);
+      if (form == nullptr) form = words(at, each);
     if (form == nullptr) return refuse(block, initiator, message);
     at = form;
   }
+  block.statement = Statement::line;
+  block.departs = without_end;
   at = contour_words(block, at);
   if (at != nullptr) at = tail(block, at);
   if (at != nullptr && at != text_.stop) at = bad_word(block, at);
-  if (!beside_ || tcpm_ || (at != nullptr && block.axes == 0)) return refuse(block, initiator, message);
-  if (at == nullptr) return nullptr;
-  block.statement = Statement::line;
+  if (!beside_ || tcpm_ || (without_end && lateral_) || (at != nullptr && (block.axes == 0) != without_end))
+    return refuse(block, initiator, message);
   return at;
 }
 
@@ -245,13 +247,42 @@ const char* BlockParser::not_judged(std::uint64_t function) const {
   return corners != nullptr ? corners : message_of(kNotJudged, function);
 }
 
+// M140 MB n, M140 MB MAX, and its feed. In a block with axis words it acts at the start, which is not followed.
+const char* BlockParser::retraction(Block& block, const char* at, const char* function) {
+  const bool alone = block.statement == Statement::miscellaneous;
+  if ((!alone && block.statement != Statement::line) || (!alone && (block.axes != 0 || block.departs)))
+    return refuse(block, function, "M140 (retraction along the tool axis) in a block that moves is not supported");
+  if (upper(*at) != 'M' || upper(at[1]) != 'B') return bad_word(block, at);
+  const char* const word = at;
+  at = gap(at + 2);
+  if (const char* const end = read_word(at, "MAX")) {
+    block.retraction = Retraction::to_limit;
+    at = gap(end);
+  } else {
+    block.retraction = Retraction::by;
+    at = keyed_value(block, word, static_cast<std::size_t>(at - word), block.retraction_by);
+    if (at == nullptr) return nullptr;
+  }
+  if (alone) {
+    block.statement = Statement::line;
+    block.axes = block.incremental = 0;
+    block.many_digits = block.departs = false;
+    block.radius = RadiusWord::none;
+    block.feed = FeedWord::none;
+  }
+  return upper(*at) == 'F' && block.feed == FeedWord::none ? feed(block, at) : at;
+}
+
 const char* BlockParser::words_of_function(Block& block, const char* at, std::uint64_t number, const char* function) {
   if (const char* const message = message_of(kMoving, number)) return refuse(block, function, message);
   if (const char* const message = not_judged(number)) return raise(block, function, AlarmCause::not_judged, message);
   if (number == 94) renamed_ = ~0U;
   if (number == 128 || number == 129) tcpm_ = number == 128;
+  lateral_ = lateral_ || (tcpm_ && beside_);
   Value ignored;
   switch (number) {
+    case 140:
+      return retraction(block, at, function);
     case 103:
     case 128:  // of the compensating movements
       return upper(*at) == 'F' ? keyed_value(block, at, 1, ignored) : at;

@@ -41,6 +41,11 @@ Program tool_offset() {
     program.body += fmt::format("G4{} X10.5 Y7.25\nG4{} X-10.5 Y-7.25\n", 5 + i % 4, 5 + i % 4);
   return program;
 }
+Program canned_cycle() {
+  Program program{std::string(kSetup), "G90 G00 G43 H1 Z50.\nG99 G81 X0 Y0 Z-20. R2. F1000\n", ""};
+  for (int i = 0; i < kBlocks; ++i) program.body += fmt::format("X{}.5 Y{}.25\n", i % 90, i % 70);
+  return program;
+}
 Program cutter_b() { return around(ring(kBlocks, 60, 3, 5), 0, with_b()); }
 Program cutter_b_arcs() { return around(ring(kBlocks, 60, 3, 5), 2, with_b()); }
 // Corners of one intersection, inner and outer.
@@ -61,6 +66,7 @@ Program cutter_c_arcs() { return around(ring(kBlocks, 60, 3, 5), 1, std::string(
 
 TOOLCOMP_ROW(measurement);
 TOOLCOMP_ROW(tool_offset);
+TOOLCOMP_ROW(canned_cycle);
 TOOLCOMP_ROW(cutter_b);
 TOOLCOMP_ROW(cutter_b_arcs);
 TOOLCOMP_ROW(cutter_c_lines);

@@ -60,6 +60,24 @@ inline void one_block_late(Json& events) {
       if (events[i].contains(name) && events[i - 1].contains(name)) events[i][name] = events[i - 1][name];
 }
 
+// Of every hole.
+inline void returns_to_point_r(Json& events) {
+  for (Json& event : events) {
+    if (event["kind"] != "hole") continue;
+    event["axes"]["Z"] = event["axes"]["Z"].get<double>() + event["r"].get<double>() - event["return"].get<double>();
+    event["return"] = event["r"];
+  }
+}
+
+// Behind the first hole the axes go where the tool point is.
+inline void no_length_behind_a_hole(Json& events) {
+  bool behind = false;
+  for (Json& event : events) {
+    if (behind && event["kind"] == "move") event["axes"]["Z"] = event["point"]["Z"];
+    behind = behind || event["kind"] == "hole";
+  }
+}
+
 inline bool ends_in_alarm(const Json& events) { return !events.empty() && events.back()["kind"] == "alarm"; }
 
 inline const std::map<std::string, Lie>& lies() {
@@ -84,6 +102,8 @@ inline const std::map<std::string, Lie>& lies() {
       {"huge", positions([](char, double) { return 1e300; })},
       {"zero", positions([](char, double) { return 0.0; })},
       {"exchanged", exchange_x_and_y},
+      {"hole-to-point-r", returns_to_point_r},
+      {"no-length-behind-a-hole", no_length_behind_a_hole},
       {"late", one_block_late},
       {"feed", scaled("feed", 60)},
       {"no-feed", field("feed", [](Json& value) { value = 0; })},
