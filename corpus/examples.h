@@ -57,6 +57,7 @@ std::span<const Example> face_milling_examples();
 std::span<const Example> face_milling_rules();
 std::span<const Example> klartext_examples();
 std::span<const Example> klartext_calls();
+std::span<const Example> klartext_retractions();
 std::span<const Example> peripheral_milling_examples();
 std::span<const Example> peripheral_milling_rules();
 std::span<const Example> programmed_contour_examples();

@@ -42,8 +42,10 @@ TEST(HardCases, AreComplete) {
     EXPECT_TRUE(has(exact::Sign::negative) || golden.counts[i].negative == 0) << spec::clauses()[i].id;
     EXPECT_TRUE(has(exact::Sign::zero) || golden.counts[i].tie == 0) << spec::clauses()[i].id;
   }
-  EXPECT_EQ(hard.sections.size(), fuzz::sections().size());
-  EXPECT_EQ(hard.worst.size(), 2 * fuzz::sections().size());
+  // Canned cycles add decimals: nothing in them is hard.
+  const std::size_t sections = fuzz::sections().size() - 1;
+  EXPECT_EQ(hard.sections.size(), sections);
+  EXPECT_EQ(hard.worst.size(), 2 * sections);
 }
 
 TEST(HardCases, StaySmall) {

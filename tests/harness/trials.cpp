@@ -83,7 +83,7 @@ TEST(Trials, TheEndWithoutAnAlarmIsJudged) {
     c.setup.control = klartext ? spec::Control::heidenhain : spec::Control::fanuc;
     c.setup.axes = spec::Axes("XYZ");
     c.program = klartext ? "L X+1 R0 F100\nPLANE SPATIAL SPA+0 SPB+45 SPC+0 TURN\nL X+3\n"
-                         : "G01 X1 F100\nG81 X2 Z-5 R1\nG01 X3\n";
+                         : "G01 X1 F100\nG68 X2 Y5 R1\nG01 X3\n";
     const ModelRun run = run_model(c);
     const std::vector<fast::Event> right = run_fast(c);
     ASSERT_EQ(right.size(), 2U);
@@ -110,7 +110,7 @@ TEST(Trials, TheEndWithoutAnAlarmIsJudged) {
 TEST(Trials, EndWhereAControllerIsNotKnown) {
   spec::Case c;
   c.setup.axes = spec::Axes("XYZ");
-  c.program = "G01 X1 F100\nG81 X2 Z-5 R1\nG01 X3\n";
+  c.program = "G01 X1 F100\nG68 X2 Y5 R1\nG01 X3\n";
   const ModelRun run = run_model(c);
   ASSERT_TRUE(run.beyond);
   EXPECT_EQ(run.beyond->line, 2U);

@@ -256,7 +256,7 @@ TEST(Report, HtmlSaysEverythingACertificateMust) {
                                   c.occasion.serial,
                                   std::string("toolcomp certify &#39;x y&#39;"),
                                   std::string("Signature"),
-                                  std::string("1 of 12 sections, 11 not asked for"),
+                                  std::string("1 of 13 sections, 12 not asked for"),
                                   std::string("0.001"),
                                   std::string("tool_axis"),
                                   std::string("0.25"),

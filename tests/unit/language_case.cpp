@@ -167,6 +167,12 @@ TEST(Case, EventsHaveTheFieldsOfTheirKind) {
   EXPECT_EQ(event_error(R"({"kind":"sample","line":1})"), "event: without t");
   EXPECT_EQ(event_error(R"({"kind":"setting","line":1,"name":"H1"})"), "event: without value");
   EXPECT_EQ(event_error(R"({"kind":"undecided","line":1})"), "event: without clause");
+  EXPECT_EQ(event_error(R"({"kind":"hole","line":1,"point":{"X":1,"Y":2},"r":3,"bottom":-4,"axes":{"X":1}})"),
+            "event: without return");
+  EXPECT_EQ(event_error(R"({"kind":"hole","line":1,"point":{"X":1},"r":3,"bottom":-4,"return":3,"axes":{"X":1}})"),
+            "no error");
+  EXPECT_EQ(event_error(R"({"kind":"move","line":1,"type":"rapid","cause":"programmed","unknown":["Q"]})"),
+            "unknown: \"Q\" is no axis of the setup");
   EXPECT_EQ(event_error(R"({"kind":"move","line":1,"type":"arc","cause":"programmed","sweep":1})"),
             "event: without center");
   EXPECT_EQ(event_error(R"({"kind":"alarm","number":"A","line":1,"feed":1})"),
@@ -174,7 +180,7 @@ TEST(Case, EventsHaveTheFieldsOfTheirKind) {
   EXPECT_EQ(event_error(R"({"kind":"alarm","number":"A","line":1,"colour":1})"), "event: unknown field \"colour\"");
   EXPECT_EQ(event_error(R"({"kind":"motion","line":1})"),
             "kind: unknown value \"motion\"; expected one of move, sample, alarm, warning, setting, undecided, "
-            "not_supported, not_judged");
+            "not_supported, not_judged, hole");
   EXPECT_EQ(event_error(R"({"kind":"alarm","number":"A","line":1,"clauses":["no.such.clause"]})"),
             "clauses: unknown clause \"no.such.clause\"");
   EXPECT_EQ(event_error(R"({"kind":"alarm","line":1,"number":")" + std::string(64, 'A') + "\"}"),

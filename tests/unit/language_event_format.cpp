@@ -170,7 +170,7 @@ TEST(EventCsv, ColumnsOfSpaceCompensation) {
   append_csv_header(header, kAxes, Control::heidenhain);
   EXPECT_NE(header.find("radius.end,tool_center.X,tool_center.Y,tool_center.Z,contact.X,contact.Y,contact.Z,normal.i,"
                         "normal.j,normal.k,shift.X,shift.Y,shift.Z,tool_shift.X,tool_shift.Y,tool_shift.Z,carrier.X,"
-                        "carrier.Y,carrier.Z,angle,flat,feed,"),
+                        "carrier.Y,carrier.Z,angle,flat,feed,unknown,"),
             std::string::npos)
       << header;
   EXPECT_TRUE(header.ends_with(",t,reason,clauses\n"));
@@ -182,12 +182,12 @@ TEST(EventCsv, ColumnsOfSpaceCompensation) {
   Event<double> event = space_move();
   EXPECT_EQ(row(event),
             "move,5,,linear,programmed,10,0,0.1,10,1.5,0.1,10,1.5,4.1,90,,,,,0,0,1,,,,,,,,,"
-            "1,2,3,,,,,,,0.5,0,0,0.5,0,0.25,,,,,,250,,,,,,,\n");
+            "1,2,3,,,,,,,0.5,0,0,0.5,0,0.25,,,,,,250,,,,,,,,\n");
   event.space->carrier = {1, 2, 103};
   event.space->contact = Contact<double>{.point = {4, 5, 6}, .normal = {0.6, 0, 0.8}, .flat = true, .angle = 45};
   EXPECT_EQ(row(event),
             "move,5,,linear,programmed,10,0,0.1,10,1.5,0.1,10,1.5,4.1,90,,,,,0,0,1,,,,,,,,,"
-            "1,2,3,4,5,6,0.6,0,0.8,0.5,0,0,0.5,0,0.25,1,2,103,45,true,250,,,,,,,\n");
+            "1,2,3,4,5,6,0.6,0,0.8,0.5,0,0,0.5,0,0.25,1,2,103,45,true,250,,,,,,,,\n");
   Event<double> undecided;
   undecided.kind = EventKind::undecided;
   undecided.out_of_scope = true;
@@ -203,16 +203,17 @@ TEST(EventCsv, HeaderAndRowsHaveTheSameColumns) {
       header,
       "kind,line,n,type,cause,programmed.X,programmed.Y,programmed.Z,point.X,point.Y,point.Z,axes.X,axes.Y,axes.Z,"
       "axes.B,machine.X,machine.Y,machine.Z,machine.B,tool_axis.i,tool_axis.j,tool_axis.k,center.X,center.Y,"
-      "center.Z,plane,direction,sweep,radius.start,radius.end,feed,number,message,name,value,t,clauses\n");
+      "center.Z,plane,direction,sweep,radius.start,radius.end,feed,number,message,name,value,r,bottom,return,t,"
+      "clauses\n");
   EXPECT_EQ(csv(line_move()),
-            "move,5,30,linear,programmed,10,0,0.1,10,1.5,0.1,10,1.5,4.1,90,,,,,,,,,,,,,,,,250,,,,,,\n");
-  EXPECT_EQ(csv(arc_move()), "move,6,,arc,corner,,,,15,6.5,0.1,15,6.5,4.1,90,,,,,,,,10,6.5,,XY,ccw,90,5,5.5,,,,,,,\n");
+            "move,5,30,linear,programmed,10,0,0.1,10,1.5,0.1,10,1.5,4.1,90,,,,,,,,,,,,,,,,250,,,,,,,,,\n");
+  EXPECT_EQ(csv(arc_move()), "move,6,,arc,corner,,,,15,6.5,0.1,15,6.5,4.1,90,,,,,,,,10,6.5,,XY,ccw,90,5,5.5,,,,,,,,,,\n");
   Event<double> alarm;
   alarm.kind = EventKind::alarm;
   alarm.number = "PS0041";
   alarm.message = "a \"cut\", no more";
   const std::string row = csv(alarm);
-  EXPECT_NE(row.find(",PS0041,\"a \"\"cut\"\", no more\",,,,\n"), std::string::npos) << row;
+  EXPECT_NE(row.find(",PS0041,\"a \"\"cut\"\", no more\",,,,,,,\n"), std::string::npos) << row;
 }
 
 TEST(EventGcode, ThePathAsAProgram) {

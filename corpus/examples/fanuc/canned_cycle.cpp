@@ -141,8 +141,11 @@ constexpr Example kExamples[] = {
      "1 s G1 8 0 0\n"
      "2 p G1 8 20 0\n"
      "3 fanuc.canned-cycle.not-said\n"},
-    {"A cycle under G41.3: FORBIDDEN_IN_3D_COMPENSATION.", XYZ "[offsets.D]\n1 = 2\n",
-     "G90 G01 F100\nG41.3 D1\nX10.\nG81 X5. Z-5. R2.\n", "4 FORBIDDEN_IN_3D_COMPENSATION\n"},
+    {"A cycle under G41.3, whose vector is 2 backward: FORBIDDEN_IN_3D_COMPENSATION.", XYZ "[offsets.D]\n1 = 2\n",
+     "G90 G01 F100\nG41.3 D1\nX10.\nG81 X5. Z-5. R2.\n",
+     "2 s G1 -2 0\n"
+     "3 p G1 8 0\n"
+     "4 FORBIDDEN_IN_3D_COMPENSATION\n"},
     {"A plane in the mode with another drilling axis is not said.", XYZ BY_PLANE,
      "G90 G17 G81 X1. Z-5. R2. F100\nG18 X2.\n",
      "1 hole 1 0 r 2 b -5 t 0 X1 Y0 Z0\n"

@@ -85,9 +85,9 @@ constexpr Example kRules[] = {
     {"There is no G77.7: PS0010.", SETUP, "G00 X1\nG77.7\n",
      "1 X1 Y0 Z0\n"
      "2 PS0010\n"},
-    {"G81 is not supported: no alarm.", SETUP, "G00 X1\nG80\nG99 G81 X2 Z-5 R1 F100\n",
+    {"G68 is not supported: no alarm.", SETUP, "G00 X1\nG69\nG90 G68 X0 Y0 R30.\n",
      "1 X1 Y0 Z0\n"
-     "3 not_supported G81\n"},
+     "3 not_supported G68\n"},
     {"Variables set at the head of the program stand as numbers in its words.", SETUP,
      "G90\n#100=5.\n#101=[#100+2.]*2\nG00 X#100 Y[#101-1.5] Z-#100\n", "4 X5 Y12.5 Z-5\n"},
     {"R with the start for an end is an arc of 0 degrees (B-64114EN p.43): no move, and the program goes on to X5.",

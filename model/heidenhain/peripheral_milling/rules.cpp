@@ -60,9 +60,9 @@ LateralDirection PeripheralRules::direction(const Direction& tool, const Vector&
 }
 
 // heidenhain.peripheral.first-block: The first compensated block, the one before having been without this compensation,
-// ends beside its end point in the direction of the next block with an axis word, whatever that block's compensation,
-// with its own delta and tool, and its own side where the next block has no RL or RR of this compensation: the tool
-// arrives perpendicular to the start of the contour. Its move has the cause start-up.
+// ends beside its end point in the direction of the next block with an axis word or M140 (along the tool), whatever
+// that block's compensation, with its own delta and tool, and its own side where the next block has no RL or RR of this
+// compensation: the tool arrives perpendicular to the start of the contour. Its move has the cause start-up.
 // heidenhain.peripheral.first-without-next: Where nothing that moves follows the first compensated block, the end of
 // the run or an alarm, its own direction counts.
 PeripheralRules::Beside PeripheralRules::at_first_block(const Motion& motion, const Motion* next,
@@ -75,8 +75,8 @@ PeripheralRules::Beside PeripheralRules::at_first_block(const Motion& motion, co
 }
 
 // heidenhain.peripheral.last-block: Whether a block that is not the first is the last compensated one: the next block
-// with an axis word is without this compensation (R0, a normal, TCPM off), or there is none. It then ends beside its
-// end point in its own direction.
+// with an axis word or M140 is without this compensation (R0, a normal, TCPM off), or there is none. It then ends
+// beside its end point in its own direction.
 // heidenhain.peripheral.side-change: RL to RR without R0: each direction takes the side of its own block, and the rule
 // of the mitre holds as it stands.
 PeripheralRules::Beside PeripheralRules::at_later_block(const Motion& motion, const Motion* next,

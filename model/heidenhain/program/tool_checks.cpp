@@ -54,9 +54,9 @@ void ToolChecks::oversize(const EffectiveTool& tool) const {
     throw Alarm(AlarmCause::oversize_radius);
 }
 
-// heidenhain.tool.order-of-checks: The checks run in every LN block and in every L block with an axis word under RL or
-// RR and TCPM, in this order: E_NO_TOOL, E_RC_WITH_N, E_TOOL, E_3DTC_SHAPE, E_TOOL_EFF, E_3DTC_RANGE, E_R2_NEG, then
-// without M107 E_OVERSIZE_DR, and in blocks with a normal E_OVERSIZE_DR2 and E_R2_GT_R.
+// heidenhain.tool.order-of-checks: The checks run in every LN block and in every L block with an axis word, or M140,
+// under RL or RR and TCPM, in this order: E_NO_TOOL, E_RC_WITH_N, E_TOOL, E_3DTC_SHAPE, E_TOOL_EFF, E_3DTC_RANGE,
+// E_R2_NEG, then without M107 E_OVERSIZE_DR, and in blocks with a normal E_OVERSIZE_DR2 and E_R2_GT_R.
 void ToolChecks::without_normal(const Motion& motion) const {
   const EffectiveTool& tool = *motion.tool;
   block(motion);

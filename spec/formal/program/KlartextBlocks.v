@@ -38,22 +38,30 @@ Inductive correction_table := Tcs | Wpl | BothTables.
 (** Numbers in tenths: 51 for 5.1. *)
 Inductive called_tool := NoToolWord | ByNumber (tenths : Z) | ByName (name : string) | ByStringParameter.
 
-(** What L and LN have in common. *)
+(** By what a block gets to its end. *)
+Inductive leading (num : Type) :=
+| ByWords                                        (* by its axis words; without one it stays *)
+| AlongTool (by_ : option (written num))         (* M140 MB n; none: M140 MB MAX *)
+| Departing.                                     (* DEP LT, LN, CT, of which the words say no end *)
+Arguments ByWords {num}. Arguments AlongTool {num} by_. Arguments Departing {num}.
+
+(** What L and LN have in common. Only L without axis words gets to its end by anything else. *)
 Record line_words (num : Type) := LineWords {
   axis_words : list (axis_word num);
   radius_given : option radius_word;
   feed_given : option (feed_word num);
-  many_digits : bool                    (* more than the control takes *)
+  many_digits : bool;                   (* more than the control takes *)
+  to_end : leading num
 }.
 Arguments LineWords {num}. Arguments axis_words {num}. Arguments radius_given {num}. Arguments feed_given {num}.
-Arguments many_digits {num}.
+Arguments many_digits {num}. Arguments to_end {num}.
 
 Inductive statement (num : Type) :=
 | BeginProgram (inch : bool)
 | EndProgram                                     (* of the main program *)
 | ToolCall (tool : called_tool) (tool_axis : option Letter.t) (given : deltas (option (written num)))
     (f : option (feed_word num))
-| Line (w : line_words num)                                              (* L *)
+| Line (w : line_words num)                                              (* L, M140, DEP *)
 | LineWithVectors (w : line_words num) (normal tool_vector : option (triple num))   (* LN *)
 | FunctionTcpm (reference : reference_word)
 | ResetTcpm
@@ -118,5 +126,7 @@ Definition with_space {num} (s : klartext_setup num) (p : triple num) (v : value
   let '(x, y, z) := p in
   map2 (fun letter here => match letter with Letter.X => x | Letter.Y => y | Letter.Z => z | _ => here end)
     (letters s) v.
+(** Whether an axis is one of these. *)
+Definition among (axes : list Letter.t) (letter : Letter.t) : bool := existsb (Letter.eqb letter) axes.
 Definition word_of {num} (letter : Letter.t) (words : list (axis_word num)) : option (axis_word num) :=
   find (fun w => Letter.eqb (axis_letter w) letter) words.

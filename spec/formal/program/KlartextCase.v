@@ -25,7 +25,9 @@ Definition feed_of_data {num} {N : Numbers num} (d : data) : feed_word num :=
   one_of [FValue (written_of (entry_at d 1)); FMax; FAuto; FZOrFU] FMax (entry_at d 0).
 Definition line_of {num} {N : Numbers num} (d : data) : line_words num :=
   LineWords (map axis_word_of (entries (entry_at d 1))) (maybe_of (one_of [R0; RL; RR] R0) (entry_at d 2))
-    (maybe_of feed_of_data (entry_at d 3)) (flag_of (entry_at d 4)).
+    (maybe_of feed_of_data (entry_at d 3)) (flag_of (entry_at d 4))
+    (one_of [ByWords; AlongTool (Some (written_of (entry_at (entry_at d 5) 1))); AlongTool None; Departing] ByWords
+       (entry_at (entry_at d 5) 0)).
 Definition called_of (d : data) : called_tool :=
   match entries d with
   | [] => NoToolWord
@@ -45,7 +47,7 @@ Definition statement_of {num} {N : Numbers num} (d : data) : statement num :=
          ToolCall (called_of (at_ 1%nat)) (maybe_of letter_of (at_ 2%nat)) (deltas_of (maybe_of written_of) (at_ 3%nat))
            (maybe_of feed_of_data (at_ 4%nat));
          Line (line_of d);
-         LineWithVectors (line_of d) (maybe_of vector_of (at_ 5%nat)) (maybe_of vector_of (at_ 6%nat));
+         LineWithVectors (line_of d) (maybe_of vector_of (at_ 6%nat)) (maybe_of vector_of (at_ 7%nat));
          FunctionTcpm (one_of [TipTip; TipCenter; CenterCenter] TipTip (at_ 1%nat));
          ResetTcpm;
          ProgPath (flag_of (at_ 1%nat));
@@ -81,14 +83,23 @@ Definition tell_contact {num} (c : contact num) : told num :=
   Several [tell_vector (contact_point c); tell_vector (contact_normal c); tell_flag (on_flat c);
            tell_maybe Number (contact_degrees c)].
 
+(** Of the linear axes alone that are known. *)
+Definition tell_known {num} (letters : list Letter.t) (v : some_values num) : told num :=
+  Several (flat_map (fun '(letter, x) => match x with Some x => if Letter.linear letter then [Number x] else [] | None => [] end)
+             (combine letters v)).
+
 Definition tell_klartext_move {num} (letters : list Letter.t) (m : klartext_move num) : list (told num) :=
+  let of_tool tell := match tool_stands m with Some t => tell t | None => Several [] end in
   [tell_flag (is_rapid m);
    Says match why m with StartUp => 1 | Cancelling => 3 | _ => 0 end;
-   tell_linear letters (programmed_values m); tell_linear letters (tip_values m);
+   tell_known letters (programmed_values m); tell_known letters (tip_values m);
    Several (map (tell_maybe Number) (sent_to m));
-   tell_vector (direction_of_tool m); tell_vector (center_of_tool m); tell_vector (shift_of_tip m);
-   tell_vector (shift_of_tool m); tell_maybe tell_vector (carrier_point m); tell_maybe tell_contact (touching m);
-   tell_maybe Number (feed_of_move m)].
+   tell_vector (direction_of_tool m);
+   of_tool (fun t => tell_vector (center_of_tool t)); of_tool (fun t => tell_vector (shift_of_tip t));
+   of_tool (fun t => tell_vector (shift_of_tool t)); of_tool (fun t => tell_maybe tell_vector (carrier_point t));
+   of_tool (fun t => tell_maybe tell_contact (touching t));
+   tell_maybe Number (feed_of_move m);
+   Several (map (fun letter => tell_flag (among (not_known m) letter)) letters)].
 
 Definition tell_klartext_event {num} (letters : list Letter.t) (e : nat * klartext_event num) : told num :=
   Several

@@ -12,7 +12,9 @@ Definition plain_control : klartext_setup R :=
     [ToolRow 10 "" 6%R 1%R None (Deltas 0%R (- (1 / 10))%R 0%R) None] [] false.
 Definition at_start : klartext_state R := initial_state plain_control false.
 Definition says_only (st : statement R) : klartext_block R := KlartextBlock st [] None.
-Definition to_x (x : R) : line_words R := LineWords [AxisWord Letter.X false (Literal x)] None None false.
+Definition to_x (x : R) : line_words R := LineWords [AxisWord Letter.X false (Literal x)] None None false ByWords.
+(** M140 MB n, MB MAX. *)
+Definition retracting (by_ : option (written R)) : line_words R := LineWords [] None None false (AlongTool by_).
 
 (** * How a run goes *)
 
@@ -84,24 +86,30 @@ Proof. apply klartext_alarm_is_last. Qed.
 
 (** * Moves *)
 
-(** heidenhain.program.own-move: an LN block, and an L block with an axis word, that runs makes exactly one move (or is out
-    of scope once); no other does. *)
+(** heidenhain.program.own-move: an LN block, an L block with an axis word, M140, and a departure without coordinates, that
+    runs makes exactly one move (or is out of scope once); no other does. *)
 Theorem one_move_a_block {num} {N : Numbers num} (s : klartext_setup num) machine_datum with_vectors w normal tool_vector st
     st' p :
   plan s machine_datum with_vectors w normal tool_vector st = Got (st', p) ->
-  (p <> None <-> with_vectors = true \/ axis_words w <> []).
+  (p <> None <-> with_vectors = true \/ axis_words w <> [] \/ to_end w <> ByWords).
 Proof.
-  unfold plan. destruct (negb with_vectors && match axis_words w with [] => true | _ => false end) eqn:E; intro H.
+  unfold plan.
+  destruct (negb with_vectors && match axis_words w, to_end w with [], ByWords => true | _, _ => false end) eqn:E; intro H.
   - injection H as _ <-. split; [congruence|]. apply andb_prop in E as [E E'].
-    destruct with_vectors, (axis_words w); try discriminate. intros [O|O]; congruence.
+    destruct with_vectors, (axis_words w), (to_end w); try discriminate. intros [O|[O|O]]; congruence.
   - cbv zeta in H. repeat (apply bound in H; destruct H as (? & _ & H)).
     injection H as _ <-. split; [|discriminate].
-    intros _. destruct with_vectors; [now left|right]. destruct (axis_words w); [discriminate|discriminate].
+    intros _. destruct with_vectors; [now left|right]. destruct (axis_words w); [right|left; discriminate].
+    destruct (to_end w); discriminate.
 Qed.
 
-Example one_move_a_block_instance st p :
-  plan plain_control false false (to_x 5) None None at_start = Got (st, p) -> p <> None.
-Proof. intro H. apply (one_move_a_block _ _ _ _ _ _ _ _ _ H). right; discriminate. Qed.
+Example one_move_a_block_instance st p q :
+  plan plain_control false false (to_x 5) None None at_start = Got (st, p) ->
+  plan plain_control false false (retracting None) None None at_start = Got (st, q) -> p <> None /\ q <> None.
+Proof.
+  intros P Q. split; [apply (one_move_a_block _ _ _ _ _ _ _ _ _ P)|apply (one_move_a_block _ _ _ _ _ _ _ _ _ Q)]; right;
+    [left|right]; discriminate.
+Qed.
 
 (** heidenhain.program.direction-without-tcpm: without TCPM the tool is along the tool axis whatever rotary words and tool
     vectors say. *)
@@ -119,7 +127,7 @@ Proof. now rewrite vectors_turn_nothing_without_tcpm. Qed.
 Theorem words_before_or_after_m128 {num} {N : Numbers num} (s : klartext_setup num) center d st words to :
   tcpm_on (tcpm_of st) = false ->
   existsb (fun w => rotary (axis_letter w)) words = true ->
-  tool_direction (tcpm_from_here s center (at_end_of_motion to None (with_direction d false st))) =
+  tool_direction (tcpm_from_here s center (at_end_of_motion to (unknown_axes st) None (with_direction d false st))) =
   direction_at_end s (tcpm_from_here s center st) words None None to.
 Proof. intros O W. unfold direction_at_end, tool_direction, tcpm_from_here. cbn. now rewrite O, W. Qed.
 
@@ -127,7 +135,7 @@ Example words_before_or_after_m128_instance :
   let words := [AxisWord Letter.B false (Literal 90%R)] in
   let to := [0%R; 0%R; 0%R; 90%R] in
   tool_direction (tcpm_from_here plain_control false
-                    (at_end_of_motion to None (with_direction (along_axis Letter.Z) false at_start))) =
+                    (at_end_of_motion to [] None (with_direction (along_axis Letter.Z) false at_start))) =
   direction_at_end plain_control (tcpm_from_here plain_control false at_start) words None None to.
 Proof. now apply words_before_or_after_m128. Qed.
 

@@ -44,14 +44,15 @@ Record lateral (num : Type) := Lateral {
 }.
 Arguments Lateral {num}. Arguments left_side {num}. Arguments tool_at_end {num}. Arguments movement {num}.
 
-(** The next block with an axis word: its movement, and its side where it is compensated too. *)
-Record following (num : Type) := Following { next_movement : triple num; next_left : option bool }.
+(** The next block that moves: its movement, where that is known, and its side where it is compensated too. *)
+Record following (num : Type) := Following { next_movement : option (triple num); next_left : option bool }.
 Arguments Following {num}. Arguments next_movement {num}. Arguments next_left {num}.
 
 (** Where a compensated block ends, as a direction or a mitre to be made delta long, and the direction made last. Before it
     there was no compensation, or there was, and maybe a direction made.
-    heidenhain.peripheral.first-block: it ends in the direction of the next block with an axis word, on the side of that
-    block where it has one.
+    heidenhain.peripheral.first-block: it ends in the direction of the next block that moves, on the side of that block
+    where it has one.
+    heidenhain.program.unknown-position: where that needs a position that nobody knows it is not judged.
     heidenhain.peripheral.first-without-next: its own direction counts where none follows.
     heidenhain.peripheral.last-block: so it does where the next block is without this compensation, or there is none.
     heidenhain.peripheral.side-change: each direction takes the side of its own block.
@@ -59,7 +60,11 @@ Arguments Following {num}. Arguments next_movement {num}. Arguments next_left {n
 Definition beside_end {num} {N : Numbers num} (l : lateral num) (before : option (option (triple num)))
     (next : option (following num)) : outcome (triple num * triple num) :=
   let own := direction_or_last (left_side l) (tool_at_end l) (movement l) in
-  let of_next n := direction_or_last (or_else (next_left n) (left_side l)) (tool_at_end l) (next_movement n) in
+  let of_next n made :=
+    match next_movement n with
+    | Some d => direction_or_last (or_else (next_left n) (left_side l)) (tool_at_end l) d made
+    | None => Alarm "not-judged"
+    end in
   match before, next with
   | None, Some n => c <- of_next n None ;; Got (c, c)
   | None, None => c <- own None ;; Got (c, c)

@@ -86,11 +86,12 @@ Fixpoint plans {num} {N : Numbers num} (s : klartext_setup num) (bs : list (klar
       end
   end.
 
-(** The next block with an axis word, whatever its compensation; none at the end of the run, and at an alarm. *)
+(** heidenhain.peripheral.first-block: the next block that moves, whatever its compensation; none at the end of the run,
+    and at an alarm. *)
 Definition following_of {num} (items : list (item num)) : option (following num) :=
   match items with
   | Moving _ p :: _ =>
-      Some (Following (moved_by p) (match way_of p with Beside _ l _ _ => Some (left_side l) | _ => None end))
+      Some (Following (travel (ends (motion_of p))) (match way_of p with Beside _ l _ _ => Some (left_side l) | _ => None end))
   | _ => None
   end.
 

@@ -36,7 +36,8 @@ Arguments direction_held {num}. Arguments by_vector {num}. Arguments contour {nu
 Record klartext_state (num : Type) := KlartextState {
   program_in_inch : bool;
   parameters : list (q_parameter * num);
-  position : values num;                (* programmed, from the preset *)
+  position : values num;                (* programmed, from the preset; 0 where it is not known *)
+  unknown_axes : list Letter.t;         (* of which nobody knows where they stand *)
   datum : values num;                   (* the shift of cycle 7 *)
   radius_mode : radius_word;
   feeds_of : feeds num;
@@ -46,27 +47,27 @@ Record klartext_state (num : Type) := KlartextState {
   contact_before : option (option (triple num))
 }.
 Arguments KlartextState {num}. Arguments program_in_inch {num}. Arguments parameters {num}. Arguments position {num}.
-Arguments datum {num}. Arguments radius_mode {num}. Arguments feeds_of {num}. Arguments tool_of {num}.
-Arguments tcpm_of {num}. Arguments contact_before {num}.
+Arguments unknown_axes {num}. Arguments datum {num}. Arguments radius_mode {num}. Arguments feeds_of {num}.
+Arguments tool_of {num}. Arguments tcpm_of {num}. Arguments contact_before {num}.
 
 Definition with_parameter {num} (p : q_parameter) (v : num) (st : klartext_state num) : klartext_state num :=
-  KlartextState (program_in_inch st) ((p, v) :: parameters st) (position st) (datum st) (radius_mode st) (feeds_of st)
-    (tool_of st) (tcpm_of st) (contact_before st).
+  KlartextState (program_in_inch st) ((p, v) :: parameters st) (position st) (unknown_axes st) (datum st)
+    (radius_mode st) (feeds_of st) (tool_of st) (tcpm_of st) (contact_before st).
 Definition with_datum {num} (d : values num) (st : klartext_state num) : klartext_state num :=
-  KlartextState (program_in_inch st) (parameters st) (position st) d (radius_mode st) (feeds_of st) (tool_of st)
-    (tcpm_of st) (contact_before st).
+  KlartextState (program_in_inch st) (parameters st) (position st) (unknown_axes st) d (radius_mode st) (feeds_of st)
+    (tool_of st) (tcpm_of st) (contact_before st).
 Definition with_tool {num} (t : tool_state num) (st : klartext_state num) : klartext_state num :=
-  KlartextState (program_in_inch st) (parameters st) (position st) (datum st) (radius_mode st) (feeds_of st) t
-    (tcpm_of st) (contact_before st).
+  KlartextState (program_in_inch st) (parameters st) (position st) (unknown_axes st) (datum st) (radius_mode st)
+    (feeds_of st) t (tcpm_of st) (contact_before st).
 Definition with_tcpm {num} (t : tcpm_state num) (st : klartext_state num) : klartext_state num :=
-  KlartextState (program_in_inch st) (parameters st) (position st) (datum st) (radius_mode st) (feeds_of st)
-    (tool_of st) t (contact_before st).
+  KlartextState (program_in_inch st) (parameters st) (position st) (unknown_axes st) (datum st) (radius_mode st)
+    (feeds_of st) (tool_of st) t (contact_before st).
 Definition with_line_modes {num} (r : radius_word) (f : feeds num) (st : klartext_state num) : klartext_state num :=
-  KlartextState (program_in_inch st) (parameters st) (position st) (datum st) r f (tool_of st) (tcpm_of st)
-    (contact_before st).
-Definition at_end_of_motion {num} (p : values num) (before : option (option (triple num))) (st : klartext_state num) :
-    klartext_state num :=
-  KlartextState (program_in_inch st) (parameters st) p (datum st) (radius_mode st) (feeds_of st) (tool_of st)
+  KlartextState (program_in_inch st) (parameters st) (position st) (unknown_axes st) (datum st) r f (tool_of st)
+    (tcpm_of st) (contact_before st).
+Definition at_end_of_motion {num} (p : values num) (unknown : list Letter.t) (before : option (option (triple num)))
+    (st : klartext_state num) : klartext_state num :=
+  KlartextState (program_in_inch st) (parameters st) p unknown (datum st) (radius_mode st) (feeds_of st) (tool_of st)
     (tcpm_of st) before.
 
 (** heidenhain.program.initial-state: R0, TCPM off, reference point at the tip, PROG PATH OFF, M108, no tool, the tool along
@@ -84,7 +85,7 @@ Definition initial_state {num} {N : Numbers num} (s : klartext_setup num) (progr
                       | _, _ => x
                       end in
   let here := map2 (fun letter x => if rotary letter then 0%num else in_program x) (letters s) (start_at s) in
-  KlartextState program_in_inch [] here (map (fun _ => 0%num) here) R0 (Feeds None None)
+  KlartextState program_in_inch [] here [] (map (fun _ => 0%num) here) R0 (Feeds None None)
     (ToolState None Letter.Z no_deltas None false)
     (TcpmState false false (along_axis Letter.Z) false false) None.
 
@@ -217,7 +218,8 @@ Definition find_tool {num} {N : Numbers num} (s : klartext_setup num) (tool : ca
     heidenhain.program.tool-call-under-tcpm: under TCPM a tool raises E_TCPM_TOOLCALL.
     heidenhain.program.tool-axis: without the letter it stays.
     heidenhain.program.correction-row-dropped: a call of a tool puts the row of the compensation table out of force.
-    heidenhain.face.contact-before: any TOOL CALL forgets the contact. *)
+    heidenhain.face.contact-before: any TOOL CALL forgets the contact.
+    heidenhain.program.unknown-position: what is not known stays so. *)
 Definition call_tool {num} {N : Numbers num} (s : klartext_setup num) (tool : called_tool) (axis : option Letter.t)
     (given_deltas : deltas (option (written num))) (f : option (feed_word num)) (st : klartext_state num) :
     outcome (klartext_state num) :=
@@ -232,7 +234,7 @@ Definition call_tool {num} {N : Numbers num} (s : klartext_setup num) (tool : ca
   let t := ToolState row (or_else axis (axis_of_tool (tool_of st))) d
              (if without_tool then correction (tool_of st) else None) (m107 (tool_of st)) in
   let st := with_tool t (with_line_modes (if without_tool then radius_mode st else R0) (feeds_after_call st f) st) in
-  Got (at_end_of_motion (position st) None st).
+  Got (at_end_of_motion (position st) (unknown_axes st) None st).
 
 (** heidenhain.program.program-call-cancels: CALL PGM cancels the radius compensation. *)
 Definition without_radius_compensation {num} (st : klartext_state num) : klartext_state num :=

@@ -40,14 +40,14 @@ Proof. intro H. now apply direction_across_tool_and_movement in H. Qed.
 
 (** heidenhain.peripheral.mitre: between two compensated blocks the tool is across the tool axis there and at the
     distance of the offset from both blocks: along the direction of each it is just as far. *)
-Theorem junction_keeps_distance (l : lateral R) made (n : following R) left c c' at_end last :
+Theorem junction_keeps_distance (l : lateral R) made (n : following R) left d' c c' at_end last :
   next_left n = Some left -> own_direction (left_side l) (tool_at_end l) (movement l) = Got (Some c) ->
-  own_direction left (tool_at_end l) (next_movement n) = Got (Some c') ->
+  next_movement n = Some d' -> own_direction left (tool_at_end l) d' = Got (Some c') ->
   beside_end l (Some made) (Some n) = Got (at_end, last) ->
   dot3 at_end (tool_at_end l) = 0%R /\ dot3 at_end c = 1%R /\ dot3 at_end c' = 1%R.
 Proof.
-  intros L C C' H. unfold beside_end, direction_or_last in H. rewrite L, C in H. cbn [bind given or_else] in H.
-  rewrite C' in H.
+  intros L C D C' H. unfold beside_end, direction_or_last in H. rewrite L, C in H. cbn [bind given or_else] in H.
+  rewrite D, C' in H.
   cbn [bind] in H. apply bound in H as (m & M & H). apply same in H. injection H as -> _.
   apply direction_across_tool_and_movement in C as (T & _ & U), C' as (T' & _ & U').
   unfold mitre in M. apply bound in M as (opposite & O & M). apply zero_sign in O. apply bound in M as (u & A & M).
@@ -64,11 +64,13 @@ Proof.
 Qed.
 
 Example junction_keeps_distance_instance made c c' at_end last :
-  let l := Lateral true (0, 0, 1)%R (5, 0, 0)%R in let n := Following (0, 5, 0)%R (Some true) in
+  let l := Lateral true (0, 0, 1)%R (5, 0, 0)%R in let n := Following (Some (0, 5, 0)%R) (Some true) in
   own_direction true (0, 0, 1)%R (5, 0, 0)%R = Got (Some c) ->
     own_direction true (0, 0, 1)%R (0, 5, 0)%R = Got (Some c') ->
   beside_end l (Some made) (Some n) = Got (at_end, last) -> dot3 at_end c = 1%R.
-Proof. intros l n C C' H. now apply (junction_keeps_distance l made n true c c' at_end last eq_refl C C') in H. Qed.
+Proof.
+  intros l n C C' H. now apply (junction_keeps_distance l made n true _ c c' at_end last eq_refl C eq_refl C') in H.
+Qed.
 
 (** * Sides *)
 
@@ -119,23 +121,23 @@ Proof.
   assert (OWN : forall made, direction_or_last (negb (left_side l)) (tool_at_end l) (movement l) (turned_made made) =
     mapped opposite (direction_or_last (left_side l) (tool_at_end l) (movement l) made)) by (intro;
       apply opposite_or_last).
-  assert (NEXT : forall n made, direction_or_last (or_else (option_map negb (next_left n)) (negb (left_side l)))
-    (tool_at_end l) (next_movement n) (turned_made made) =
-    mapped opposite (direction_or_last (or_else (next_left n) (left_side l)) (tool_at_end l) (next_movement n)
-      made)).
-  { intros n made. destruct (next_left n); cbn [option_map or_else]; apply opposite_or_last. }
+  assert (NEXT : forall (n : following R) d made, direction_or_last (or_else (option_map negb (next_left n)) (negb (left_side l)))
+    (tool_at_end l) d (turned_made made) =
+    mapped opposite (direction_or_last (or_else (next_left n) (left_side l)) (tool_at_end l) d made)).
+  { intros n d made. destruct (next_left n); cbn [option_map or_else]; apply opposite_or_last. }
   destruct prior as [made|], next as [n|]; cbn [option_map turned_next next_movement next_left].
   - rewrite OWN. destruct (direction_or_last (left_side l) (tool_at_end l) (movement l) made) as [c| |];
       try reflexivity.
     cbn [mapped bind]. replace (given (option_map negb (next_left n))) with (given (next_left n)) by now
       destruct (next_left n).
     destruct (given (next_left n)); [|reflexivity]. change (Some (opposite c)) with (turned_made (Some c)).
-    rewrite NEXT.
-    destruct (direction_or_last _ _ (next_movement n) (Some c)) as [c'| |]; try reflexivity.
+    destruct (next_movement n) as [d|]; [|reflexivity]. rewrite NEXT.
+    destruct (direction_or_last _ _ d (Some c)) as [c'| |]; try reflexivity.
     cbn [mapped bind].
     rewrite opposite_mitre. now destruct (mitre c c').
   - rewrite OWN. now destruct (direction_or_last _ _ (movement l) made).
-  - change None with (turned_made None) at 1. rewrite NEXT. now destruct (direction_or_last _ _ (next_movement n) None).
+  - destruct (next_movement n) as [d|]; [|reflexivity]. change None with (turned_made None) at 1. rewrite NEXT.
+    now destruct (direction_or_last _ _ d None).
   - change None with (turned_made None) at 1. rewrite OWN. now destruct (direction_or_last _ _ (movement l) None).
 Qed.
 
@@ -147,7 +149,7 @@ Definition turned_way (w : way R) : way R :=
   end.
 Definition turned_item (i : item R) : item R :=
   match i with
-  | Moving place p => Moving place (Planned (warnings p) (moved_by p) (motion_of p) (turned_way (way_of p)))
+  | Moving place p => Moving place (Planned (warnings p) (motion_of p) (turned_way (way_of p)))
   | i => i
   end.
 
@@ -172,9 +174,10 @@ Proof.
   - rewrite <- (IH None). reflexivity.
 Qed.
 
-Definition plain_motion : motion R := Motion false None [5; 0; 0; 0]%R [] (0, 0, 1)%R 0%R None 1%R.
+Definition plain_motion : motion R :=
+  Motion false None (Ending [5; 0; 0; 0]%R [] (Some (5, 0, 0)%R)) [] (0, 0, 1)%R 0%R None 1%R.
 Definition beside_block : planned R :=
-  Planned [] (5, 0, 0)%R plain_motion (Beside (5, 0, 0)%R (Lateral true (0, 0, 1)%R (5, 0, 0)%R) 6%R 6%R).
+  Planned [] plain_motion (Beside (5, 0, 0)%R (Lateral true (0, 0, 1)%R (5, 0, 0)%R) 6%R 6%R).
 
 Example exchanged_sides_same_events_instance :
   events_of plain_control (map turned_item [Moving 0 beside_block; Moving 1 beside_block]) None =

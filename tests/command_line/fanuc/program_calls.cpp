@@ -32,7 +32,7 @@ TEST_P(FanucPrograms, WhatIsNotSupportedSaysItsNameAndPlace) {
     const char* code;  // of what is not supported; empty: an alarm of the control
   };
   const Row rows[] = {
-      {"N10 G98 G81 X1 R2", "p.nc:2:9: G81 (drilling, a canned cycle) is not supported", "G81"},
+      {"N10 G98 G68 X1 R2", "p.nc:2:9: G68 (coordinate system rotation) is not supported", "G68"},
       {"G68 X0 Y0 R45.", "p.nc:2:1: G68 (coordinate system rotation) is not supported", "G68"},
       {"  #1=5", "p.nc:2:3: # (a macro variable set after the program has begun) is not supported", "#"},
       {"G01 X1 ,R5", "p.nc:2:8: ,R (corner rounding) is not supported", ",R"},
@@ -60,10 +60,10 @@ TEST_P(FanucPrograms, FilesBesideAreCalled) {
   EXPECT_EQ(outcome.events()[1].at("axes").at("X"), 1);
   EXPECT_EQ(outcome.events()[1].at("axes").at("Y"), 2);
   // What is wrong in a file is told where it stands in it, whatever was joined before.
-  const std::string second = folder.write("8.nc", "O8\nX1\n  G81 X1\n");
+  const std::string second = folder.write("8.nc", "O8\nX1\n  G68 X1\n");
   const Outcome alarm = run("O1\nM98 P7\nN30 M98 P8\nM30\n");
   EXPECT_EQ(alarm.status, 3) << alarm.err;
-  EXPECT_NE(alarm.err.find("8.nc:3:3: G81 "), std::string::npos) << alarm.err;
+  EXPECT_NE(alarm.err.find("8.nc:3:3: G68 "), std::string::npos) << alarm.err;
   EXPECT_EQ(alarm.events().back().at("line"), 10) << "of the joined text";
   EXPECT_EQ(folder.write("8.nc", "O8\nX1 \xFF\n"), second);
   const Outcome bytes = run("O1\nM98 P8\nM30\n");

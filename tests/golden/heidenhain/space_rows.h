@@ -22,9 +22,10 @@ namespace toolcomp::corpus::space {
 //   axis       unit direction of the tool                angle      between normal and tool (one number)
 //   at         programmed end point                      A, B, C    rotary axes (one number)
 //   feed       (one number)                              flat       the contact is on the axis (no number)
-// Figures that are left out are not looked at, but contact, flat, angle, carrier and feed are in a row exactly where
-// the event has them. The model's decimals are those of the row, every one; the fast engine's are near. "4 W_DIGITS" is
-// a warning or an alarm, "5 OUT_OF_SCOPE" a block that is not modelled.
+//   X, Y, Z    of axes (one number)                      unknown    others of them are not known (no number)
+// Figures that are left out are not looked at, but contact, flat, unknown, angle, carrier and feed are in a row exactly
+// where the event has them. The model's decimals are those of the row, every one; the fast engine's are near. "4
+// W_DIGITS" is a warning or an alarm, "5 OUT_OF_SCOPE" a block that is not modelled.
 using worked::Rows;
 
 template <class Number>
@@ -57,6 +58,7 @@ Figures<Number> figures(const spec::Event<Number>& event, const std::string& nam
   if (name == "axis") return event.tool_axis ? list(*event.tool_axis) : std::nullopt;
   if (name.size() == 1 && axes.has(name[0]) && event.axes.has(axes.index(name[0])))
     return std::vector<Number>{event.axes[axes.index(name[0])]};
+  if (name == "unknown") return event.unknown != 0 ? Figures<Number>(std::vector<Number>()) : std::nullopt;
   if (!event.space) return std::nullopt;
   const spec::SpaceCompensation<Number>& space = *event.space;
   if (name == "center") return list(space.tool_center);
@@ -113,7 +115,7 @@ void expect_move(const spec::Event<Number>& event, const std::vector<std::string
   std::vector<std::string> named;
   for (const std::string& token : tokens) {
     const std::size_t equals = std::min(token.find('='), token.size());
-    if (equals == token.size() && token != "flat") continue;  // of the head
+    if (equals == token.size() && token != "flat" && token != "unknown") continue;  // of the head
     named.push_back(token.substr(0, equals));
     SCOPED_TRACE(token);
     const Figures<Number> actual = figures(event, named.back(), axes);
@@ -122,7 +124,7 @@ void expect_move(const spec::Event<Number>& event, const std::vector<std::string
     ASSERT_EQ(actual->size(), expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i) expect_figure((*actual)[i], expected[i]);
   }
-  for (const char* name : {"contact", "flat", "angle", "carrier", "feed", "A", "B", "C"})
+  for (const char* name : {"contact", "flat", "angle", "carrier", "feed", "unknown", "A", "B", "C"})
     EXPECT_EQ(figures(event, name, axes).has_value(), std::ranges::find(named, name) != named.end()) << name;
 }
 

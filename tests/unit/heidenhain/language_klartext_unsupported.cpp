@@ -87,7 +87,9 @@ TEST(KlartextUnsupported, ContoursBesideThePath) {
   for (const char* text :
        {"L X1 RL\nCR X+5 Y+5 R-10 DR+ F100 M3", "L X1 RR\nCT X+5 Y+5", "L X1 RL\nC X+5 IY+5 DR-",
         "APPR LCT X+5 Y+5 Z-3 R2 RL F100", "APPR LT X+5 Y+5 LEN10 RR", "APPR CT X+5 Y+5 CCA90 R+7 RL",
-        "L X1 RL\nDEP LCT X+5 Y+5 R2 F100", "L X1 RL\nRND R5 F20", "L X1 RL\nCHF 2", "CC X+0 Y+0", "CC"})
+        "L X1 RL\nDEP LCT X+5 Y+5 R2 F100", "L X1 RL\nDEP LT LEN10 F100", "L X1 RR\nDEP LN LEN+5",
+        "L X1 RL\nDEP CT CCA180 R+8 M9", "M128\nL X1 RL\nM129\nL R0\nL X2 RL\nDEP LT LEN10", "L X1 RL\nRND R5 F20",
+        "L X1 RL\nCHF 2", "CC X+0 Y+0", "CC"})
     EXPECT_EQ(said(text), "read") << text;
   EXPECT_EQ(said("L X1 R0\nCR X+5 Y+5 R10 DR+\n"), "2:1 CR (circle by its radius) is not supported");
   EXPECT_EQ(said("L X1 RL\nCR X+5 Y+5 R10 DR+ R0\n"), "2:1 CR (circle by its radius) is not supported");
@@ -95,11 +97,24 @@ TEST(KlartextUnsupported, ContoursBesideThePath) {
   EXPECT_EQ(said("L X1 RL\nCR R10 DR+\n"), "2:1 CR (circle by its radius) is not supported");
   EXPECT_EQ(said("L X1 RL\nCR X+5 YO R10 DR+\n"), "E_SYNTAX@2:8");
   EXPECT_EQ(said("APPR PLT PR+5 PA+5 LEN10 RL\n"), "1:1 APPR (approach of a contour) is not supported");
-  EXPECT_EQ(said("L X1 RL\nDEP LT LEN10\n"), "2:1 DEP (departure from a contour) is not supported");
+  EXPECT_EQ(said("DEP LT LEN10\n"), "1:1 DEP (departure from a contour) is not supported");
+  EXPECT_EQ(said("L X1 RL\nDEP PLCT PR+5 PA+5 R2\n"), "2:1 DEP (departure from a contour) is not supported");
+  EXPECT_EQ(said("M128\nL X1 RL\nM129\nDEP LT LEN10\n"), "4:1 DEP (departure from a contour) is not supported");
+  EXPECT_EQ(said("L X1 RL\nM128\nM129\nDEP LT LEN10\n"), "4:1 DEP (departure from a contour) is not supported");
+  EXPECT_EQ(said("L X1 RL\nDEP LT X+5 LEN10\n"), "2:1 DEP (departure from a contour) is not supported");
 }
 
 TEST(KlartextUnsupported, MFunctions) {
-  EXPECT_EQ(said("L X1 M140 MB50\n"), "1:6 M140 (retraction along the tool axis) is not supported");
+  EXPECT_EQ(said("L X1 M140 MB50\n"),
+            "1:6 M140 (retraction along the tool axis) in a block that moves is not supported");
+  EXPECT_EQ(said("STOP M140 MB MAX\n"),
+            "1:6 M140 (retraction along the tool axis) in a block that moves is not supported");
+  for (const char* text :
+       {"M140 MB MAX", "L M140 MB MAX", "L R0 FMAX M140 MB+50 M9", "M3 M140 MB 2.5 F500", "M140 MB+Q1", "L M140 MBMAX"})
+    EXPECT_EQ(said(text), "read") << text;
+  EXPECT_EQ(said("L M140\n"), "E_SYNTAX@1:7");
+  EXPECT_EQ(said("L M140 MB\n"), "E_SYNTAX@1:8");
+  EXPECT_EQ(said("L M140 MB MIN\n"), "E_SYNTAX@1:8");
   EXPECT_EQ(said("L X1 M3 M99\n"), "1:9 M99 (cycle call) is not supported");
   EXPECT_EQ(said("M89\n"), "1:1 M89 (cycle call) is not supported");
   EXPECT_EQ(said("L X1 M144\n"), "1:6 M144 (compensation of the kinematics) is not judged");
