@@ -36,12 +36,16 @@ std::vector<std::string> sections() {
 
 namespace {
 
-// The specification names causes. `beyond`: what is not followed of the last block read. Throws where it names one that
-// the table of alarms does not have.
+// Of a run that is not judged at a block that can be read: heidenhain.program.unknown-position.
+constexpr const char* kUnknownPosition = "an unknown position is needed here";
+
+// The specification names causes. `beyond`: what of the block is not followed, if it cannot be read; else nullptr.
+// Throws where it names one that the table of alarms does not have.
 void name_end(spec::Event<exact::Real>& event, const spec::AlarmNumbers& numbers, const char* beyond) {
   const std::optional<spec::AlarmCause> cause = spec::find_alarm(event.number.view());
   if (!cause) throw std::logic_error("no alarm of spec/alarms.toml: " + std::string(event.number.view()));
-  spec::end_run(event, *cause, spec::is_beyond(*cause) ? beyond : spec::info(*cause).text, numbers);
+  const char* const ours = beyond != nullptr ? beyond : kUnknownPosition;
+  spec::end_run(event, *cause, spec::is_beyond(*cause) ? ours : spec::info(*cause).text, numbers);
 }
 
 }  // namespace
@@ -69,7 +73,8 @@ Run run(const spec::Case& c) {
     event.line = place.line;
     event.n = place.n;
     if (event.number == spec::Name(kBadInput)) std::rethrow_exception(made.bad_input);
-    if (event.kind == spec::EventKind::alarm) name_end(event, numbers, made.beyond);
+    if (event.kind == spec::EventKind::alarm)
+      name_end(event, numbers, &place == &made.places.back() ? made.beyond : nullptr);
     result.events.push_back(std::move(event));
   }
   return result;

@@ -75,6 +75,20 @@ Data radius(const Block& block) {
   return given ? List{whole(static_cast<std::size_t>(block.radius) - 1)} : List{};
 }
 
+// By what an L block gets to its end: the kinds of KlartextCase.v, and what goes with them.
+Data leading(const Block& block) {
+  enum Kind : std::int64_t { kWords, kByDistance, kToLimit, kDeparture };
+  const auto kind = [](Kind k) { return Data(std::int64_t{k}); };
+  switch (block.retraction) {
+    case spec::klartext::Retraction::by:
+      return List{kind(kByDistance), written(block.retraction_by)};
+    case spec::klartext::Retraction::to_limit:
+      return List{kind(kToLimit)};
+    default:
+      return List{kind(block.departs ? kDeparture : kWords)};
+  }
+}
+
 Data vector_data(const std::array<spec::Decimal, 3>& v) { return List{number(v[0]), number(v[1]), number(v[2])}; }
 
 Data called_tool(const Block& block) {
@@ -110,13 +124,14 @@ Data statement(const Block& block) {
       return List{kind(kToolCall), called_tool(block), block.tool_axis != 0 ? List{letter(block.tool_axis)} : List{},
                   List{maybe_written(block.dl), maybe_written(block.dr), maybe_written(block.dr2)}, feed(block)};
     case Statement::line:
-      return List{kind(kLine), axis_words(block), radius(block), feed(block), flag(block.many_digits)};
+      return List{kind(kLine), axis_words(block), radius(block), feed(block), flag(block.many_digits), leading(block)};
     case Statement::line_with_vectors:
       return List{kind(kLineWithVectors),
                   axis_words(block),
                   radius(block),
                   feed(block),
                   flag(block.many_digits),
+                  List{},
                   maybe(block.has_normal, block.normal, vector_data),
                   maybe(block.has_tool_vector, block.tool_vector, vector_data)};
     case Statement::tcpm:

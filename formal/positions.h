@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "formal/data.h"
 #include "model/exact/real.h"
@@ -19,12 +20,14 @@ inline spec::AxisValues<exact::Real> positions(const Data& data, const spec::Axe
   return values;
 }
 
-// Of the linear axes, which alone are told.
-inline spec::AxisValues<exact::Real> linear_positions(const Data& data, const spec::Axes& axes) {
+// Of the linear axes, which alone are told; but for those of `unknown`, bit i axis i.
+inline spec::AxisValues<exact::Real> linear_positions(const Data& data, const spec::Axes& axes,
+                                                      std::uint16_t unknown = 0) {
   spec::AxisValues<exact::Real> values;
   std::size_t next = 0;
   for (std::size_t i = 0; i < axes.size(); ++i)
-    if (spec::is_linear_axis(axes.letter(i))) values.set(i, data.list().at(next++).number());
+    if (spec::is_linear_axis(axes.letter(i)) && (unknown >> i & 1U) == 0)
+      values.set(i, data.list().at(next++).number());
   return values;
 }
 

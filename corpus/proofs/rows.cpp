@@ -137,20 +137,8 @@ void write_fanuc_move(Row& row, const TextEvent& event, const spec::Axes& axes) 
   row.maybe(event.tool_axis, [&](const std::array<NumberText, 3>& axis) { row.vector(axis); });
 }
 
-// As tell_klartext_move of KlartextCase.v.
-void write_klartext_move(Row& row, const TextEvent& event, const spec::Axes& axes) {
-  row.flag(event.type == spec::MoveType::rapid);
-  row.whole(static_cast<std::size_t>(event.cause));
-  row.axes(event.programmed, axes, true);
-  row.axes(event.point, axes, true);
-  row.several([&] {
-    for (std::size_t i = 0; i < axes.size(); ++i)
-      row.several([&] {
-        if (event.axes.has(i)) row.number(event.axes[i]);
-      });
-  });
-  const spec::SpaceCompensation<NumberText>& space = event.space.value();
-  row.vector(event.tool_axis.value());
+// What 3D compensation makes of the tool: five fields of a move.
+void write_space(Row& row, const spec::SpaceCompensation<NumberText>& space) {
   row.vector(space.tool_center);
   row.vector(space.shift);
   row.vector(space.tool_shift);
@@ -163,7 +151,31 @@ void write_klartext_move(Row& row, const TextEvent& event, const spec::Axes& axe
       row.maybe(contact.angle, [&](const NumberText& angle) { row.number(angle); });
     });
   });
+}
+
+// As tell_klartext_move of KlartextCase.v: no coordinate of an axis that is not known, and then no vector of the tool.
+void write_klartext_move(Row& row, const TextEvent& event, const spec::Axes& axes) {
+  row.flag(event.type == spec::MoveType::rapid);
+  row.whole(static_cast<std::size_t>(event.cause));
+  row.axes(event.programmed, axes, true);
+  row.axes(event.point, axes, true);
+  row.several([&] {
+    for (std::size_t i = 0; i < axes.size(); ++i)
+      row.several([&] {
+        if (event.axes.has(i)) row.number(event.axes[i]);
+      });
+  });
+  row.vector(event.tool_axis.value());
+  if (event.unknown == 0) {
+    write_space(row, event.space.value());
+  } else {
+    constexpr std::size_t kFields = 5;
+    for (std::size_t i = 0; i < kFields; ++i) row.several([] {});
+  }
   write_feed(row, event);
+  row.several([&] {
+    for (std::size_t i = 0; i < axes.size(); ++i) row.flag((event.unknown >> i & 1U) != 0);
+  });
 }
 
 // As tell_hole of FanucCase.v. The drilling axis is the linear one that `point` lacks.

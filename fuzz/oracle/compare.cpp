@@ -11,6 +11,7 @@
 
 #include "fuzz/oracle/number.h"
 #include "spec/language/alarm.h"
+#include "spec/language/event_names.h"
 #include "spec/language/naming_clause.h"
 
 namespace toolcomp::fuzz {
@@ -19,26 +20,7 @@ namespace {
 using exact::Rational;
 using exact::Real;
 using spec::EventKind;
-
-std::string_view name(EventKind kind) {
-  constexpr std::string_view names[] = {"move",    "sample",    "alarm",         "warning",
-                                        "setting", "undecided", "not supported", "not judged"};
-  return names[static_cast<std::size_t>(kind)];
-}
-std::string_view name(spec::MoveType type) {
-  constexpr std::string_view names[] = {"rapid", "linear", "arc"};
-  return names[static_cast<std::size_t>(type)];
-}
-std::string_view name(spec::Cause cause) {
-  constexpr std::string_view names[] = {"programmed", "start-up",  "corner",    "cancel",
-                                        "pre-turn",   "post-turn", "reference", "measure"};
-  return names[static_cast<std::size_t>(cause)];
-}
-std::string_view name(spec::Plane plane) {
-  constexpr std::string_view names[] = {"XY", "ZX", "YZ"};
-  return names[static_cast<std::size_t>(plane)];
-}
-std::string_view name(spec::ArcDirection direction) { return direction == spec::ArcDirection::cw ? "cw" : "ccw"; }
+using spec::name;
 
 constexpr double kHalfTurn = 180;  // degrees
 

@@ -48,7 +48,7 @@ class Finding:
 class Verdict:
     """What a certification established."""
 
-    #: "conforms in 1 of 12 sections, 11 not applicable", …
+    #: "conforms in 1 of 13 sections, 11 not applicable", …
     text: str
     #: as of the command: 0 conforms, 1 a finding, 3 could not be decided, 4 a self-check failed
     exit_status: int

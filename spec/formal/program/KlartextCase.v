@@ -83,10 +83,10 @@ Definition tell_contact {num} (c : contact num) : told num :=
   Several [tell_vector (contact_point c); tell_vector (contact_normal c); tell_flag (on_flat c);
            tell_maybe Number (contact_degrees c)].
 
-(** Of the linear axes alone that are known. *)
+(** Of the linear axes alone, and where they are known. *)
 Definition tell_known {num} (letters : list Letter.t) (v : some_values num) : told num :=
-  Several (flat_map (fun '(letter, x) => match x with Some x => if Letter.linear letter then [Number x] else [] | None => [] end)
-             (combine letters v)).
+  let tell '(letter, x) := match x with Some x => if Letter.linear letter then [Number x] else [] | None => [] end in
+  Several (flat_map tell (combine letters v)).
 
 Definition tell_klartext_move {num} (letters : list Letter.t) (m : klartext_move num) : list (told num) :=
   let of_tool tell := match tool_stands m with Some t => tell t | None => Several [] end in

@@ -91,7 +91,8 @@ Fixpoint plans {num} {N : Numbers num} (s : klartext_setup num) (bs : list (klar
 Definition following_of {num} (items : list (item num)) : option (following num) :=
   match items with
   | Moving _ p :: _ =>
-      Some (Following (travel (ends (motion_of p))) (match way_of p with Beside _ l _ _ => Some (left_side l) | _ => None end))
+      Some (Following (travel (ends (motion_of p)))
+              match way_of p with Beside _ l _ _ => Some (left_side l) | _ => None end)
   | _ => None
   end.
 

@@ -121,8 +121,8 @@ Proof.
   assert (OWN : forall made, direction_or_last (negb (left_side l)) (tool_at_end l) (movement l) (turned_made made) =
     mapped opposite (direction_or_last (left_side l) (tool_at_end l) (movement l) made)) by (intro;
       apply opposite_or_last).
-  assert (NEXT : forall (n : following R) d made, direction_or_last (or_else (option_map negb (next_left n)) (negb (left_side l)))
-    (tool_at_end l) d (turned_made made) =
+  assert (NEXT : forall (n : following R) d made,
+    direction_or_last (or_else (option_map negb (next_left n)) (negb (left_side l))) (tool_at_end l) d (turned_made made) =
     mapped opposite (direction_or_last (or_else (next_left n) (left_side l)) (tool_at_end l) d made)).
   { intros n d made. destruct (next_left n); cbn [option_map or_else]; apply opposite_or_last. }
   destruct prior as [made|], next as [n|]; cbn [option_map turned_next next_movement next_left].

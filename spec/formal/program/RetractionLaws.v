@@ -34,7 +34,8 @@ Lemma with_space_length {num} (s : klartext_setup num) p (v : values num) :
   List.length v = List.length (letters s) -> List.length (with_space s p v) = List.length (letters s).
 Proof.
   destruct p as [[x y] z]. unfold with_space. generalize (letters s). intro axes; revert v.
-  induction axes as [|a axes IH]; intros [|b v] L; try discriminate; [reflexivity|]. cbn in *. f_equal. apply IH. now injection L.
+  induction axes as [|a axes IH]; intros [|b v] L; try discriminate; [reflexivity|].
+  cbn in *. f_equal. apply IH. now injection L.
 Qed.
 
 (** The position behind a block, of an axis that is known there. *)
@@ -52,9 +53,9 @@ Qed.
 Theorem retraction_goes_along_the_tool {num} {N : Numbers num} (s : klartext_setup num) machine_datum w st n e letter :
   end_of_block s machine_datum w st = Got e -> to_end w = AlongTool (Some n) ->
   List.length (position st) = List.length (letters s) -> In letter (letters s) -> among (unknown_axes st) letter = false ->
+  let t := of_length_1 (tool_direction st) in
   at_letter s letter (end_values e) =
-  at_letter s letter (with_space s (add3 (space_of s (position st)) (scale3 (value_of st n) (of_length_1 (tool_direction st))))
-                        (position st)).
+  at_letter s letter (with_space s (add3 (space_of s (position st)) (scale3 (value_of st n) t)) (position st)).
 Proof.
   unfold end_of_block. intros H W L I K. rewrite W in H. apply same in H as <-.
   apply known_end; auto using with_space_length.
@@ -81,8 +82,8 @@ Theorem retraction_moves_the_tool_axis (s : klartext_setup R) machine_datum w st
 Proof.
   intros H W T A L I K. rewrite (retraction_goes_along_the_tool _ _ _ _ _ _ _ H W L I K).
   unfold tool_direction. rewrite T. unfold with_space, space_of.
-  destruct A as [A|[A|[A|[]]]]; rewrite <- A; cbn [along_axis of_length_1 scale3 add3]; rewrite (at_letter_map2 s) by assumption;
-    destruct letter; cbn; ring.
+  destruct A as [A|[A|[A|[]]]]; rewrite <- A; cbn [along_axis of_length_1 scale3 add3];
+    rewrite (at_letter_map2 s) by assumption; destruct letter; cbn; ring.
 Qed.
 
 Example retraction_moves_the_tool_axis_instance e :
@@ -98,13 +99,14 @@ Qed.
 
 (** * What is not known *)
 
-(** heidenhain.program.unknown-position: a block that runs with words of X, Y and Z leaves nothing unknown: an increment of
-    what is unknown does not run. *)
+(** heidenhain.program.unknown-position: a block that runs with words of all axes that are not known leaves none unknown, and
+    none of these words is an increment. *)
 Theorem words_make_known {num} {N : Numbers num} (s : klartext_setup num) machine_datum with_vectors w normal tool_vector st
     st' p :
   plan s machine_datum with_vectors w normal tool_vector st = Got (st', p) -> to_end w = ByWords ->
   (forall letter, In letter (unknown_axes st) -> word_of letter (axis_words w) <> None) -> axis_words w <> [] ->
-  unknown_axes st' = [] /\ (forall word, In word (axis_words w) -> In (axis_letter word) (unknown_axes st) -> with_i word = false).
+  unknown_axes st' = [] /\
+  (forall word, In word (axis_words w) -> In (axis_letter word) (unknown_axes st) -> with_i word = false).
 Proof.
   unfold plan. intros H W A M. rewrite W in H. cbv zeta in H.
   destruct (negb with_vectors && _) eqn:E in H.
@@ -186,15 +188,14 @@ Theorem limit_forgets_where_axes_stood {num} {N : Numbers num} (s : klartext_set
   plan s machine_datum false w None None st.
 Proof.
   intros W A T of_others E.
-  assert (G : end_of_block s machine_datum w (with_line_modes (or_else (radius_given w) (radius_mode st)) (next_feeds st
-      (feed_given w)) (at_end_of_motion here (unknown_axes st) (contact_before st) st)) =
-    end_of_block s machine_datum w (with_line_modes (or_else (radius_given w) (radius_mode st)) (next_feeds st (feed_given w))
-      st)).
-  { unfold end_of_block, tool_direction in *; cbn [tcpm_of at_end_of_motion with_line_modes tool_of unknown_axes position].
+  set (modes := with_line_modes (or_else (radius_given w) (radius_mode st)) (next_feeds st (feed_given w))).
+  assert (G : end_of_block s machine_datum w (modes (at_end_of_motion here (unknown_axes st) (contact_before st) st)) =
+              end_of_block s machine_datum w (modes st)).
+  { unfold end_of_block, tool_direction, modes in *; cbn [tcpm_of at_end_of_motion with_line_modes tool_of unknown_axes position].
     rewrite W, T. cbn [bind]. do 2 f_equal. apply (forgotten_alike (among along)); [|exact E].
     intros letter I B. apply among_is, filter_In. split; [exact I|]. apply among_is, in_or_app. left. now apply among_is. }
   unfold plan. change (radius_mode (at_end_of_motion _ _ _ st)) with (radius_mode st).
-  change (next_feeds (at_end_of_motion _ _ _ st) (feed_given w)) with (next_feeds st (feed_given w)).
+  change (next_feeds (at_end_of_motion _ _ _ st) (feed_given w)) with (next_feeds st (feed_given w)). fold modes.
   rewrite A, W. cbv zeta. cbn [negb andb]. rewrite G. reflexivity.
 Qed.
 
