@@ -57,7 +57,9 @@ inline void exchange_x_and_y(Json& events) {
 inline void one_block_late(Json& events) {
   for (std::size_t i = events.size(); i-- > 1;)
     for (const char* name : kPositions)
-      if (events[i].contains(name) && events[i - 1].contains(name)) events[i][name] = events[i - 1][name];
+      if (events[i].contains(name) && events[i - 1].contains(name))
+        for (auto& [letter, value] : events[i][name].items())
+          if (events[i - 1][name].contains(letter)) value = events[i - 1][name][letter];
 }
 
 // Of every hole.
