@@ -207,7 +207,8 @@ TEST(EventCsv, HeaderAndRowsHaveTheSameColumns) {
       "clauses\n");
   EXPECT_EQ(csv(line_move()),
             "move,5,30,linear,programmed,10,0,0.1,10,1.5,0.1,10,1.5,4.1,90,,,,,,,,,,,,,,,,250,,,,,,,,,\n");
-  EXPECT_EQ(csv(arc_move()), "move,6,,arc,corner,,,,15,6.5,0.1,15,6.5,4.1,90,,,,,,,,10,6.5,,XY,ccw,90,5,5.5,,,,,,,,,,\n");
+  EXPECT_EQ(csv(arc_move()),
+            "move,6,,arc,corner,,,,15,6.5,0.1,15,6.5,4.1,90,,,,,,,,10,6.5,,XY,ccw,90,5,5.5,,,,,,,,,,\n");
   Event<double> alarm;
   alarm.kind = EventKind::alarm;
   alarm.number = "PS0041";

@@ -136,6 +136,69 @@ Proof.
   intros letter [<-|[]]. discriminate.
 Qed.
 
+Definition of_space : list Letter.t := [Letter.X; Letter.Y; Letter.Z].
+
+Lemma end_of_space {num} {N : Numbers num} (s : klartext_setup num) machine_datum w st e :
+  end_of_block s machine_datum w st = Got e -> incl (unknown_axes st) of_space -> incl (unknown_at_end e) of_space.
+Proof.
+  unfold end_of_block. intros H U.
+  assert (F : forall not_known axes, incl not_known of_space -> incl (filter (among not_known) axes) of_space).
+  { intros not_known axes I letter B. apply filter_In in B as [_ B]. now apply I, among_is. }
+  destruct (to_end w) as [|[n|]|]; repeat (apply bound in H as (? & ?A & H)); apply same in H as <-; cbn [unknown_at_end];
+    apply F.
+  - intros letter B. apply filter_In in B as [B _]. now apply U.
+  - exact U.
+  - apply incl_app; [|exact U]. unfold axes_along in A. apply bound in A as (signs & E & A). apply same in A as <-.
+    apply each_got in E. intros letter B. apply in_map_iff in B as ([a b] & <- & B). apply filter_In in B as [B _].
+    destruct (as_given (tool_direction st)) as [[x y] z]. cbn [components] in E.
+    repeat match goal with
+           | E : Forall2 _ _ _ |- _ => inversion E; clear E; subst
+           | E : bind _ _ = Got _ |- _ => apply bound in E as (? & _ & E); apply same in E; subst
+           end.
+    destruct B as [B|[B|[B|[]]]]; injection B as <- _; cbn; auto.
+  - apply incl_app; [|exact U]. intros letter B. now apply filter_In in B as [B _].
+Qed.
+
+Lemma plan_of_space {num} {N : Numbers num} (s : klartext_setup num) machine_datum with_vectors w normal tool_vector st st' p :
+  plan s machine_datum with_vectors w normal tool_vector st = Got (st', p) -> incl (unknown_axes st) of_space ->
+  incl (unknown_axes st') of_space.
+Proof.
+  unfold plan. intros H U. cbv zeta in H. destruct (negb with_vectors && _) in H.
+  { apply same in H. now injection H as <- _. }
+  apply bound in H as (e & E & H). apply end_of_space in E; [|exact U].
+  repeat (apply bound in H as (? & _ & H)). apply same in H. now injection H as <- _.
+Qed.
+
+(** heidenhain.program.unknown-position, heidenhain.program.retraction: positions of X, Y and Z alone are ever unknown, and
+    nothing but a motion changes which. *)
+Theorem space_alone_is_unknown {num} {N : Numbers num} (s : klartext_setup num) b st st' p :
+  klartext_step s b st = Got (st', p) -> incl (unknown_axes st) of_space ->
+  incl (unknown_axes st') of_space /\ (p = None -> unknown_axes st' = unknown_axes st).
+Proof.
+  unfold klartext_step. intros H U. apply bound in H as (? & _ & H). apply bound in H as (? & _ & H).
+  apply bound in H as ([st1 p1] & H & E). apply same in E. injection E as <- <-.
+  assert (C : unknown_axes (closes b st1) = unknown_axes st1) by (unfold closes; destruct (has_function 129 b), (has_function 108 b); reflexivity).
+  rewrite C. clear C.
+  assert (A : unknown_axes (starts s b st) = unknown_axes st) by (unfold starts; destruct (has_function 128 b), (has_function 107 b); reflexivity).
+  rewrite <- A in *. clear A. revert H U. generalize (starts s b st). clear st. intros st H U.
+  destruct (says b) as [| |tool axis given_deltas f|w|w normal tool_vector| | | |table row|table|number part shifts| | |];
+    try (apply same in H; injection H as <- <-; auto; fail).
+  - apply bound in H as (st2 & T & H). apply same in H. injection H as <- <-. unfold call_tool in T.
+    apply bound in T as (? & _ & T). apply bound in T as (? & _ & T). apply same in T as <-. auto.
+  - split; [now apply plan_of_space in H|]. intros ->. unfold plan in H. cbv zeta in H. destruct (negb false && _) in H.
+    + apply same in H. now injection H as <-.
+    + repeat (apply bound in H as (? & _ & H)). apply same in H. discriminate.
+  - split; [now apply plan_of_space in H|]. intros ->. unfold plan in H. cbv zeta in H. cbn [negb andb] in H.
+    repeat (apply bound in H as (? & _ & H)). apply same in H. discriminate.
+  - destruct table; apply same in H; injection H as <- <-; auto.
+  - destruct table; apply same in H; injection H as <- <-; auto.
+  - apply same in H. injection H as <- <-. destruct (_ && _); auto.
+Qed.
+
+Example space_alone_is_unknown_instance st p :
+  klartext_step plain_control (says_only (Line (retracting None))) at_start = Got (st, p) -> incl (unknown_axes st) of_space.
+Proof. intro H. apply (space_alone_is_unknown _ _ _ _ _ H). intros letter []. Qed.
+
 (** heidenhain.program.unknown-position: of an axis that is not known an event has no coordinate, and then no vectors of the
     tool. *)
 Theorem nothing_told_of_the_unknown {num} {N : Numbers num} (s : klartext_setup num) m because tip shift touch letter x :

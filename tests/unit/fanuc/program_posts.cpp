@@ -78,7 +78,8 @@ TEST(ProgramPosts, BothEnginesAgreeAndTheUnsupportedSaysItsName) {
     const model::Event& last = trial.run.events.back();
     if (expected == kNotSupported.end()) {
       EXPECT_FALSE(block) << spec::beyond(*block);
-      EXPECT_TRUE(last.kind == spec::EventKind::move || last.hole) << last.line << ' ' << last.number.view() << ' ' << last.message;
+      EXPECT_TRUE(last.kind == spec::EventKind::move || last.hole)
+          << last.line << ' ' << last.number.view() << ' ' << last.message;
       continue;
     }
     ++not_supported;
