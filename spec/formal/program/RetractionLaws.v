@@ -159,7 +159,8 @@ Proof.
   - apply incl_app; [|exact U]. intros letter B. now apply filter_In in B as [B _].
 Qed.
 
-Lemma plan_of_space {num} {N : Numbers num} (s : klartext_setup num) machine_datum with_vectors w normal tool_vector st st' p :
+Lemma plan_of_space {num} {N : Numbers num} (s : klartext_setup num) machine_datum with_vectors w normal tool_vector st st'
+    p :
   plan s machine_datum with_vectors w normal tool_vector st = Got (st', p) -> incl (unknown_axes st) of_space ->
   incl (unknown_axes st') of_space.
 Proof.
@@ -177,9 +178,11 @@ Theorem space_alone_is_unknown {num} {N : Numbers num} (s : klartext_setup num) 
 Proof.
   unfold klartext_step. intros H U. apply bound in H as (? & _ & H). apply bound in H as (? & _ & H).
   apply bound in H as ([st1 p1] & H & E). apply same in E. injection E as <- <-.
-  assert (C : unknown_axes (closes b st1) = unknown_axes st1) by (unfold closes; destruct (has_function 129 b), (has_function 108 b); reflexivity).
+  assert (C : unknown_axes (closes b st1) = unknown_axes st1).
+  { unfold closes. destruct (has_function 129 b), (has_function 108 b); reflexivity. }
   rewrite C. clear C.
-  assert (A : unknown_axes (starts s b st) = unknown_axes st) by (unfold starts; destruct (has_function 128 b), (has_function 107 b); reflexivity).
+  assert (A : unknown_axes (starts s b st) = unknown_axes st).
+  { unfold starts. destruct (has_function 128 b), (has_function 107 b); reflexivity. }
   rewrite <- A in *. clear A. revert H U. generalize (starts s b st). clear st. intros st H U.
   destruct (says b) as [| |tool axis given_deltas f|w|w normal tool_vector| | | |table row|table|number part shifts| | |];
     try (apply same in H; injection H as <- <-; auto; fail).
@@ -196,7 +199,8 @@ Proof.
 Qed.
 
 Example space_alone_is_unknown_instance st p :
-  klartext_step plain_control (says_only (Line (retracting None))) at_start = Got (st, p) -> incl (unknown_axes st) of_space.
+  klartext_step plain_control (says_only (Line (retracting None))) at_start = Got (st, p) ->
+  incl (unknown_axes st) of_space.
 Proof. intro H. apply (space_alone_is_unknown _ _ _ _ _ H). intros letter []. Qed.
 
 (** heidenhain.program.unknown-position: of an axis that is not known an event has no coordinate, and then no vectors of the
