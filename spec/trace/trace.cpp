@@ -100,22 +100,34 @@ class Tracer {
     }
   }
 
-  // A docstring that begins with a clause id belongs to the theorem that follows it.
+  // A docstring that begins with clause ids, "(** a.b, c.d: …", belongs to the theorem that follows it.
   void theorems() {
     for (const fs::path& file : files_below(source_ / "spec" / "formal", {".v"})) {
-      std::string id;
+      std::vector<std::string> ids;
       each_line(file, [&](std::size_t, const std::string& line) {
         std::istringstream in(line);
-        std::string first;
-        std::string second;
-        in >> first >> second;
-        if (first == "(**" && second.ends_with(':')) id = second.substr(0, second.size() - 1);
-        if (first != "Theorem") return;
-        if (const auto found = by_id_.find(id); found != by_id_.end())
-          table_[found->second].theorems.push_back(file.stem().string() + "." + second);
-        id.clear();
+        std::string word;
+        in >> word;
+        if (word == "(**") ids = ids_at_head(in);
+        if (word != "Theorem") return;
+        in >> word;
+        for (const std::string& id : std::exchange(ids, {}))
+          if (const auto found = by_id_.find(id); found != by_id_.end())
+            table_[found->second].theorems.push_back(file.stem().string() + "." + word);
       });
     }
+  }
+
+  // Ids with commas between them, the last with a colon; none where the text begins otherwise.
+  static std::vector<std::string> ids_at_head(std::istream& in) {
+    std::vector<std::string> ids;
+    for (std::string word; in >> word;) {
+      const char end = word.back();
+      if (end != ',' && end != ':') break;
+      ids.push_back(word.substr(0, word.size() - 1));
+      if (end == ':') return ids;
+    }
+    return {};
   }
 
   void vectors() {

@@ -247,6 +247,13 @@ TextEvent any_event() {
     event.axes = any_values();
     if (*rc::gen::arbitrary<bool>()) event.tool_axis = {any_number(), any_number(), any_number()};
   }
+  if (event.kind == EventKind::hole) {
+    // Of the three linear axes the position has two; the third is the drilling axis.
+    event.point.set(0, any_number());
+    event.point.set(1, any_number());
+    event.axes = any_values();
+    event.hole = {2, any_number(), any_number(), any_number()};
+  }
   if (event.kind == EventKind::sample) {
     event.t_numerator = *inRange<std::uint32_t>(1, 9);
     event.t_denominator = *inRange<std::uint32_t>(1, 9);
@@ -254,7 +261,7 @@ TextEvent any_event() {
   if (event.kind == EventKind::setting) {
     event.setting = "H1.wear";
     event.value = any_number();
-  } else if (event.kind != EventKind::move && event.kind != EventKind::sample) {
+  } else if (event.kind != EventKind::move && event.kind != EventKind::sample && event.kind != EventKind::hole) {
     event.number = "PS0041";
   }
   if (event.kind == EventKind::undecided) event.permitted.tie = *rc::gen::arbitrary<bool>();
