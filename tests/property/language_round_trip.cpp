@@ -168,7 +168,8 @@ spec::Setup any_setup() {
   setup.axes = Axes(*rc::gen::elementOf(std::vector<std::string>{"XYZ", "XYZBC", "ZAX", "ABCUVWXYZ"}));
   for (int i = *inRange(0, 6); i > 0; --i) {
     const ParameterInfo& p = parameters()[*inRange<std::size_t>(0, parameters().size())];
-    const Decimal value = any_decimal(18);
+    // A bit is written without a point.
+    const Decimal value = any_decimal(18, true, p.id.bit < 0);
     setup.parameters[p.id] = allows(p.id, value, setup.axes) ? value : p.default_value.value_or(p.least);
   }
   setup.memory = *rc::gen::element(OffsetMemory::a, OffsetMemory::b, OffsetMemory::c);
@@ -252,6 +253,7 @@ TextEvent any_event() {
     event.point.set(0, any_number());
     event.point.set(1, any_number());
     event.axes = any_values();
+    event.axes.set(2, any_number());
     event.hole = {2, any_number(), any_number(), any_number()};
   }
   if (event.kind == EventKind::sample) {
