@@ -58,6 +58,7 @@ std::span<const Example> face_milling_rules();
 std::span<const Example> klartext_examples();
 std::span<const Example> klartext_calls();
 std::span<const Example> klartext_retractions();
+std::span<const Example> klartext_drilling();
 std::span<const Example> peripheral_milling_examples();
 std::span<const Example> peripheral_milling_rules();
 std::span<const Example> programmed_contour_examples();

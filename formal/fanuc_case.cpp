@@ -103,8 +103,7 @@ Data setup_data(const spec::Case& c) {
 
 CaseData fanuc_case(const spec::Case& c) {
   CaseData result;
-  spec::ProgramReader reader(spec::text_source(c.program), c.setup.axes,
-                             {.file = "program", .block_skip = c.setup.block_skip, .called_program = {}});
+  spec::ProgramReader reader(spec::text_source(c.program), c.setup.axes, spec::reader_options(c.setup));
   List blocks;
   for (spec::Block block; reader.next(block);) {
     result.places.push_back({block.line, block.n});

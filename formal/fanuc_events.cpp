@@ -58,18 +58,6 @@ void read_sample(Event& event, const List& data, const spec::Axes& axes) {
   event.tool_axis = vector_of(data.at(6));
 }
 
-// `point` is told of the linear axes but the drilling axis, whose place comes last.
-void read_hole(Event& event, const List& data, const spec::Axes& axes) {
-  event.kind = spec::EventKind::hole;
-  const auto drilled = static_cast<std::size_t>(data.at(7).integer());
-  const List& point = data.at(2).list();
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < axes.size(); ++i)
-    if (spec::is_linear_axis(axes.letter(i)) && i != drilled) event.point.set(i, point.at(next++).number());
-  event.hole = {drilled, data.at(3).number(), data.at(4).number(), data.at(5).number()};
-  event.axes = positions(data.at(6), axes);
-}
-
 }  // namespace
 
 spec::Event<exact::Real> fanuc_event(const List& data, const spec::Axes& axes) {
@@ -82,7 +70,7 @@ spec::Event<exact::Real> fanuc_event(const List& data, const spec::Axes& axes) {
       read_sample(event, data, axes);
       break;
     case kDrilled:
-      read_hole(event, data, axes);
+      event.axes = positions(read_hole(event, data, axes), axes);
       break;
     case kSetting:
       event.kind = spec::EventKind::setting;

@@ -50,6 +50,13 @@ Data axis_words(const Block& block) {
   return words;
 }
 
+Data cycle_values(const Block& block) {
+  List values;
+  for (const auto& [target, value] : block.cycle_values)
+    values.emplace_back(List{parameter_kind(target), whole(target.index), written(value)});
+  return values;
+}
+
 // The kinds of KlartextCase.v.
 Data feed(const Block& block) {
   enum Kind : std::int64_t { kF, kMax, kAuto, kOther };
@@ -112,7 +119,8 @@ Data statement(const Block& block) {
     kCorrectionReset,
     kCycle,
     kAssignment,
-    kCallProgram
+    kCallProgram,
+    kCycleCall
   };
   const auto kind = [](Kind k) { return Data(std::int64_t{k}); };
   switch (block.statement) {
@@ -145,11 +153,13 @@ Data statement(const Block& block) {
     case Statement::reset_corrections:
       return List{kind(kCorrectionReset), place_of(block.corrections)};
     case Statement::cycle:
-      return List{kind(kCycle), whole(block.cycle), whole(block.cycle_part), axis_words(block)};
+      return List{kind(kCycle), whole(block.cycle), whole(block.cycle_part), axis_words(block), cycle_values(block)};
     case Statement::assignment:
       return List{kind(kAssignment), parameter_kind(block.target), whole(block.target.index), written(block.value)};
     case Statement::call_program:
       return List{kind(kCallProgram)};
+    case Statement::miscellaneous:  // M99 of an L block is among its functions
+      return block.calls_cycle ? List{kind(kCycleCall)} : List{};
     default:
       return List{};
   }

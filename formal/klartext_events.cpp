@@ -54,7 +54,8 @@ void read_move(Event& event, const List& data, const spec::Axes& axes) {
   if (const List& f = field().list(); !f.empty()) event.feed = f[0].number();
 }
 
-enum EventOf : std::int64_t { kMoved, kWarning, kAlarm, kOpen, kOutOfScope };
+// A hole has the number that it has in FanucCase.v.
+enum EventOf : std::int64_t { kMoved, kWarning, kAlarm, kOpen, kOutOfScope, kHole = 6 };
 
 }  // namespace
 
@@ -73,6 +74,9 @@ spec::Event<exact::Real> klartext_event(const List& data, const spec::Axes& axes
       event.kind = spec::EventKind::undecided;
       event.permitted = {true, true, true};
       event.number = spec::Name(data.at(2).text());
+      break;
+    case kHole:
+      event.axes = linear_positions(read_hole(event, data, axes), axes);
       break;
     default:
       event.kind = spec::EventKind::undecided;

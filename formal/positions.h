@@ -31,6 +31,16 @@ inline spec::AxisValues<exact::Real> linear_positions(const Data& data, const sp
   return values;
 }
 
+// A hole, of place, kind, point (the linear axes but the drilling axis), point R, bottom, return level, the positions
+// behind it, and the place of the drilling axis. Returns the positions: the dialects do not tell the same axes.
+inline const Data& read_hole(spec::Event<exact::Real>& event, const List& data, const spec::Axes& axes) {
+  event.kind = spec::EventKind::hole;
+  const auto drilled = static_cast<std::size_t>(data.at(7).integer());
+  event.point = linear_positions(data.at(2), axes, static_cast<std::uint16_t>(1U << drilled));
+  event.hole = {drilled, data.at(3).number(), data.at(4).number(), data.at(5).number()};
+  return data.at(6);
+}
+
 inline std::array<exact::Real, 3> vector_of(const Data& data) {
   const List& v = data.list();
   return {v.at(0).number(), v.at(1).number(), v.at(2).number()};

@@ -139,8 +139,7 @@ spec::Case Program::as_case() const {
   whole.program =
       case_.setup.control == spec::Control::heidenhain
           ? spec::klartext::joined_klartext(whole.program, called)
-          : spec::joined_program(whole.program, case_.setup.axes,
-                                 {.file = path_, .block_skip = case_.setup.block_skip, .called_program = called});
+          : spec::joined_program(whole.program, case_.setup.axes, spec::reader_options(case_.setup, path_, called));
   return whole;
 }
 

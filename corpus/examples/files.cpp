@@ -33,6 +33,7 @@ std::span<const ExampleFile> example_files() {
       ExampleFile{"heidenhain/face-milling", "klartext", klartext_examples()},
       ExampleFile{"heidenhain/face-milling", "calls", klartext_calls()},
       ExampleFile{"heidenhain/face-milling", "retractions", klartext_retractions()},
+      ExampleFile{"heidenhain/face-milling", "drilling", klartext_drilling()},
       ExampleFile{"heidenhain/peripheral-milling", "examples", peripheral_milling_examples()},
       ExampleFile{"heidenhain/peripheral-milling", "rules", peripheral_milling_rules()},
       ExampleFile{"heidenhain/programmed-contour", "examples", programmed_contour_examples()},

@@ -178,7 +178,7 @@ void write_klartext_move(Row& row, const TextEvent& event, const spec::Axes& axe
   });
 }
 
-// As tell_hole of FanucCase.v. The drilling axis is the linear one that `point` lacks.
+// As tell_hole of Data.v; Klartext tells the linear axes alone. The drilling axis is the linear one that `point` lacks.
 void write_hole(Row& row, const TextEvent& event, const spec::Axes& axes) {
   const spec::Hole<NumberText>& hole = event.hole.value();
   std::size_t drilled = 0;

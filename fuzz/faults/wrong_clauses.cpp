@@ -248,6 +248,29 @@ void drill_without_length(const spec::Case& /*c*/, std::vector<model::Event>& ev
   }
 }
 
+// The second set-up clearance never counts.
+void return_to_the_first_clearance(const spec::Case& /*c*/, std::vector<model::Event>& events) {
+  for (model::Event& event : events) {
+    if (!event.hole) continue;
+    event.axes.value.at(event.hole->axis) += event.hole->point_r - event.hole->level;
+    event.hole->level = event.hole->point_r;
+  }
+}
+
+// A hole lies where the compensated tool of the move before it stands, not at the programmed position.
+void drill_beside_the_position(const spec::Case& /*c*/, std::vector<model::Event>& events) {
+  const model::Event* before = nullptr;
+  for (model::Event& event : events) {
+    if (event.kind == spec::EventKind::move) before = &event;
+    if (!event.hole || before == nullptr) continue;
+    for (std::size_t i = 0; i < spec::kMaxAxes; ++i)
+      if (event.point.has(i) && before->point.has(i)) {
+        event.point.set(i, before->point[i]);
+        event.axes.set(i, before->point[i]);
+      }
+  }
+}
+
 constexpr WrongClause kWrong[] = {
     {"side_along_the_former_tool", "fanuc/tool-side-compensation", "perpendicular-to-the-tool", kBudget, nullptr,
      keep_along_the_former_tool},
@@ -283,6 +306,12 @@ constexpr WrongClause kWrong[] = {
      nullptr},
     {"peripheral_sides", "heidenhain/peripheral-milling", "cylinder-beside-the-line", kBudget, sides_exchanged,
      nullptr},
+    {"cycle_return_without_204", "heidenhain/face-milling", "hole-by-its-parameters", kBudget, nullptr,
+     return_to_the_first_clearance},
+    {"cycle_without_length", "heidenhain/programmed-contour", "hole-with-length", kBudget, nullptr,
+     drill_without_length},
+    {"cycle_beside_the_position", "heidenhain/peripheral-milling", "hole-where-programmed", kBudget, nullptr,
+     drill_beside_the_position},
 };
 
 }  // namespace

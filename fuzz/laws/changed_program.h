@@ -18,7 +18,7 @@ using Runner = std::function<std::vector<model::Event>(const spec::Case&)>;
 // One of, for FANUC programs up to the first block that cannot be read, no two blocks in one line:
 //
 // value-zero: with every offset zero (H, D, 19666; Klartext: every delta) points are the programmed points, and axes
-// the points where no tool center point control is; behind a hole they stand at its position and level (programs
+// the points where no tool center point control is; behind a hole they stand at its position and level (FANUC: programs
 // without G43.4 and G43.5). Chapter 14; heidenhain.face.effective-tip. Not with G10 or G37, nor under PROG PATH IS
 // CONTOUR or with deltas in tool calls.
 //

@@ -10,6 +10,7 @@
 #include "fuzz/laws/fanuc/offsets.h"
 #include "fuzz/laws/fanuc/tool_center_point.h"
 #include "fuzz/laws/heidenhain/contact.h"
+#include "fuzz/laws/heidenhain/holes.h"
 #include "fuzz/laws/laws.h"
 
 namespace toolcomp::fuzz::laws {
@@ -74,6 +75,12 @@ constexpr Law<KlartextScene> kKlartextLaws[] = {
     {{"shift-of-the-tip", "the shift leads from the nominal tip to the effective one"}, shift_of_the_tip},
     {{"cylinder-beside-the-line", "under RL and RR the cylinder is tangent to its lines, at delta from them"},
      cylinder_beside_the_line},
+    {{"hole-where-programmed", "a call drills one hole where the tool stands, and moves go on from there"},
+     hole_where_programmed},
+    {{"hole-by-its-parameters", "a hole begins, ends and lets the tool return where Q200, Q201, Q203 and Q204 say"},
+     hole_by_its_parameters},
+    {{"hole-with-length", "behind a hole the axes stand at its position and level, plus the deltas of the length"},
+     hole_with_length},
 };
 
 // A law with a question that cannot be answered (a sign that is not certified) says nothing more: it is left open.

@@ -30,9 +30,7 @@ struct FanucControl {
   using Fast = fast::Engine;
   static Reader reader(std::unique_ptr<spec::ByteSource> text, const spec::Setup& setup, std::string file,
                        spec::CalledProgram called = {}) {
-    return {std::move(text),
-            setup.axes,
-            {.file = std::move(file), .block_skip = setup.block_skip, .called_program = std::move(called)}};
+    return {std::move(text), setup.axes, spec::reader_options(setup, std::move(file), std::move(called))};
   }
   static Model model(const spec::Setup& setup, model::Recorder& recorder, model::EventSink& sink,
                      std::uint32_t samples) {
@@ -51,9 +49,7 @@ struct HeidenhainControl {
   using Fast = fast::klartext::Engine;
   static Reader reader(std::unique_ptr<spec::ByteSource> text, const spec::Setup& setup, std::string file,
                        spec::CalledProgram called = {}) {
-    return {std::move(text),
-            setup,
-            {.file = std::move(file), .block_skip = setup.block_skip, .called_program = std::move(called)}};
+    return {std::move(text), setup, spec::reader_options(setup, std::move(file), std::move(called))};
   }
   static Model model(const spec::Setup& setup, model::Recorder& recorder, model::EventSink& sink, std::uint32_t) {
     return {setup, recorder, sink};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "fuzz/oracle/number.h"
 #include "fuzz/oracle/policy.h"
@@ -69,6 +70,7 @@ Scale SpaceScales::next(std::span<const model::Event> window) {
   const model::Event& event = window.front();
   Scale scale;
   scale.position = radius_ * to_program_;
+  if (event.hole) return hole(event, scale);
   if (event.kind != spec::EventKind::move) {
     if (event.unmade) before_ = fuzz::space_of(event.unmade->programmed, index_);
     return scale;
@@ -93,6 +95,20 @@ Scale SpaceScales::next(std::span<const model::Event> window) {
   }
   if (!event.space || event.space->contact) former_ = 0;
   before_ = at;
+  return scale;
+}
+
+// The next move goes from its level of return.
+Scale SpaceScales::hole(const model::Event& event, Scale scale) {
+  spec::AxisValues<model::Real> end = event.point;
+  end.set(event.hole->axis, event.hole->level);
+  for (std::size_t i = 0; i < spec::kMaxAxes; ++i)
+    for (const auto* values : {&std::as_const(end), &event.axes})
+      if (values->has(i)) scale.position = std::max(scale.position, std::fabs(roughly((*values)[i])));
+  for (const model::Real* level : {&event.hole->point_r, &event.hole->bottom})
+    scale.position = std::max(scale.position, std::fabs(roughly(*level)));
+  before_ = fuzz::space_of(end, index_);
+  former_ = 0;
   return scale;
 }
 

@@ -40,6 +40,7 @@ class SpaceScales {
   Scale next(std::span<const model::Event> window);
 
  private:
+  Scale hole(const model::Event& event, Scale scale);
   [[nodiscard]] double face(const model::Event& event) const;
   [[nodiscard]] double steepest(double angle) const;
   void beside(std::span<const model::Event> window, const Space& at, Scale& scale);

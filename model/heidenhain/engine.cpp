@@ -39,6 +39,7 @@ struct Engine::State {
 
   void run(const spec::klartext::Block& block);
   void run(Motion motion);
+  void drill(DrilledHole hole);
   [[nodiscard]] Compensated uncompensated(const Motion& motion) const;
   Compensated compensated(Motion& motion, const std::optional<FaceContact>& contact);
   // What is held goes out as if nothing followed.
@@ -105,6 +106,7 @@ void Engine::State::run(const spec::klartext::Block& block) {
   std::optional<Motion> motion = interpreter.read(block);
   if (interpreter.tool_call()) face.forget();
   if (motion) run(*std::move(motion));
+  if (interpreter.hole()) drill(*interpreter.hole());
   // heidenhain.program.end: M2, M30 and END PGM end the program after their block, and so does the end of the text.
   const bool ends = recorder.decide(Clause::heidenhain_program_end, interpreter.ends());
   recorder.take_clauses();  // of a block without an event
@@ -148,6 +150,20 @@ void Engine::State::run(Motion motion) {
   }
   motion.clauses = recorder.take_clauses();
   report(motion, end);
+}
+
+// A motion as any under R0, for whatever waits for one.
+void Engine::State::drill(DrilledHole hole) {
+  hole.motion.clauses = recorder.take_clauses();
+  peripheral.meet(hole.motion);
+  peripheral.pass();
+  face.forget();
+  recorder.resume(std::move(hole.motion.clauses));
+  // heidenhain.program.length-along-the-tool: DL acts along the tool vector T: the axes of an event are the tip of a
+  // tool of exactly the table length, and the real tool stands by dL t beside where it would without deltas.
+  recorder.reach(Clause::heidenhain_program_length_along_the_tool);
+  hole.motion.clauses = recorder.take_clauses();
+  report_hole(hole, setup, sink);
 }
 
 Compensated Engine::State::compensated(Motion& motion, const std::optional<FaceContact>& contact) {

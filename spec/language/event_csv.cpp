@@ -40,7 +40,8 @@ void append_csv_header(std::string& out, const Axes& axes, Control control) {
         "tool_center.X,tool_center.Y,tool_center.Z,contact.X,contact.Y,contact.Z,normal.i,normal.j,normal.k,"
         "shift.X,shift.Y,shift.Z,tool_shift.X,tool_shift.Y,tool_shift.Z,carrier.X,carrier.Y,carrier.Z,angle,flat,";
   out += space ? "feed,unknown,number,message,name,value," : "feed,number,message,name,value,";
-  out += space ? "t,reason,clauses\n" : "r,bottom,return,t,clauses\n";
+  out += "r,bottom,return,t,";
+  out += space ? "reason,clauses\n" : "clauses\n";
 }
 
 }  // namespace toolcomp::spec

@@ -20,8 +20,7 @@ namespace toolcomp::spec {
 void append_csv_text(std::string& out, std::string_view text);
 
 // The names of the columns for a setup with these axes: kind, line, n, type, cause, programmed.X, … Under
-// Control::heidenhain the columns of 3D tool compensation stand before feed, and `reason` before clauses; else those of
-// holes before t.
+// Control::heidenhain the columns of 3D tool compensation stand before feed, and `reason` before clauses.
 void append_csv_header(std::string& out, const Axes& axes, Control control = Control::fanuc);
 
 // Writes the columns of one event.
@@ -62,7 +61,7 @@ class EventCsv {
     next();
     if (event.kind == EventKind::setting) append_number_(out_, event.value);
     next();
-    if (!space_) hole(event.hole ? &*event.hole : nullptr);
+    hole(event.hole ? &*event.hole : nullptr);
     if (event.kind == EventKind::sample) {
       append_integer(out_, event.t_numerator);
       out_ += '/';
@@ -158,7 +157,7 @@ class EventCsv {
   Text& out_;
   const Axes& axes_;
   const AppendNumber& append_number_;
-  bool space_;  // with the columns of 3D tool compensation, without those of holes
+  bool space_;  // with the columns of 3D tool compensation
 };
 
 // Appends the event to a std::string or TextCursor as one row with its line feed; append_number(out, value) appends one

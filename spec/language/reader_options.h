@@ -17,10 +17,19 @@ using CalledProgram = std::function<std::optional<std::string>(std::string_view 
 struct ReaderOptions {
   std::string file = "program";  // for messages
   bool block_skip = false;       // FANUC: blocks that begin with / are skipped
+  // FANUC: those of the least input increment in mm, and whether the setup is in inches, for numbers that the control
+  // rounds (fanuc.program.macro-variable). 0: such numbers are not followed.
+  unsigned decimals = 0;
+  bool inch = false;
   // NOLINTNEXTLINE(*-redundant-member-init): GCC warns where braces leave it out otherwise
   CalledProgram called_program = {};
   // How many blocks calls and repeats may add to those of the text.
   std::uint64_t most_repeated = 1'000'000;
 };
+
+struct Setup;
+
+// Those that a setup says.
+ReaderOptions reader_options(const Setup& setup, std::string file = "program", CalledProgram called = {});
 
 }  // namespace toolcomp::spec

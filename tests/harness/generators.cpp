@@ -138,6 +138,41 @@ TEST(Generators, ReachArcsOfManyMetres) {
   }
 }
 
+// Holes of drilling cycles: where the tool was beside the programmed position, and where its height was not known.
+TEST(Generators, KlartextProgramsDrill) {
+  std::uint64_t drilling = 0;
+  std::uint64_t beside = 0;
+  std::uint64_t unknown = 0;
+  std::uint64_t higher = 0;
+  for (const std::string_view section :
+       {"heidenhain/face-milling", "heidenhain/peripheral-milling", "heidenhain/programmed-contour"})
+    for (std::uint64_t seed = 1; seed <= kCases; ++seed) {
+      SeededSource source(seed);
+      const spec::Case c = generate(section, Mode::directed, source);
+      const model::Event* before = nullptr;
+      bool drills = false;
+      const ModelRun run = run_model(c);
+      for (const model::Event& event : run.events) {
+        if (event.hole) {
+          drills = true;
+          higher += event.hole->level != event.hole->point_r ? 1U : 0U;
+          unknown += before != nullptr && before->unknown != 0 ? 1U : 0U;
+          for (std::size_t i = 0; before != nullptr && i < spec::kMaxAxes; ++i)
+            beside +=
+                event.point.has(i) && before->point.has(i) && event.point[i] != before->point[i] ? std::uint64_t{1} : 0;
+        }
+        if (event.hole || event.kind == spec::EventKind::move) before = &event;
+      }
+      drilling += drills ? 1U : 0U;
+    }
+  fmt::print("{} programs drill; holes beside the move before {}, from an unknown height {}, with a higher return {}\n",
+             drilling, beside, unknown, higher);
+  EXPECT_GE(drilling, 3 * kCases / 20);
+  EXPECT_GE(beside, kCases / 100);
+  EXPECT_GE(unknown, kCases / 100);
+  EXPECT_GE(higher, kCases / 10);
+}
+
 // A slip is one change: the lines but one or two are those of the directed case of the same choices.
 TEST(Generators, ASlipChangesOneWord) {
   for (const std::string_view section : sections()) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <set>
 #include <string>
@@ -162,6 +163,11 @@ model::Event& at_line(Events& events, std::uint64_t line, spec::EventKind kind =
     if ((event.kind == kind || event.hole) && event.line == line) return event;
   throw std::logic_error("no such event");
 }
+model::Event& hole_at(Events& events, std::uint64_t line) {
+  for (model::Event& event : events)
+    if (event.hole && event.line == line) return event;
+  throw std::logic_error("no such hole");
+}
 template <std::uint64_t line, std::size_t axis>
 void shift_point(Events& events) {
   at_line(events, line).point.value.at(axis) += Real(1);
@@ -172,12 +178,52 @@ void shift_axes(Events& events) {
 }
 template <std::uint64_t line, Real spec::Hole<Real>::* level>
 void shift_level(Events& events) {
-  (*at_line(events, line).hole).*level += Real(1);
+  (*hole_at(events, line).hole).*level += Real(1);
 }
 void leave_out_a_hole(Events& events) {
   std::erase_if(events, [one = true](const model::Event& e) mutable {
     return e.hole && e.line == 3 && std::exchange(one, false);
   });
+}
+// To another place, with its axes.
+template <std::uint64_t line, std::size_t axis>
+void shift_hole(Events& events) {
+  model::Event& hole = hole_at(events, line);
+  hole.point.value.at(axis) += Real(1);
+  hole.axes.value.at(axis) += Real(1);
+}
+template <std::uint64_t line, std::size_t axis>
+void shift_hole_axes(Events& events) {
+  hole_at(events, line).axes.value.at(axis) += Real(1);
+}
+// All of it along the tool, as if a datum were not shifted.
+template <std::uint64_t line>
+void shift_hole_along(Events& events) {
+  model::Event& event = hole_at(events, line);
+  for (Real* level : {&event.hole->point_r, &event.hole->bottom, &event.hole->level, &event.axes.value[2]})
+    *level -= Real(3);
+}
+template <std::uint64_t line>
+void leave_out_hole(Events& events) {
+  std::erase_if(events, [](const model::Event& e) { return e.hole && e.line == line; });
+}
+template <std::uint64_t line>
+void drill_twice(Events& events) {
+  const model::Event hole = hole_at(events, line);
+  const auto place = std::ranges::find_if(events, [](const model::Event& e) { return e.hole && e.line == line; });
+  events.insert(place, hole);
+}
+// In a block that has none.
+template <std::uint64_t from, std::uint64_t to>
+void drill_elsewhere(Events& events) {
+  model::Event hole = hole_at(events, from);
+  hole.line = to;
+  const auto place = std::ranges::find_if(events, [](const model::Event& e) { return e.line > to; });
+  events.insert(place, hole);
+}
+template <std::uint64_t line, std::size_t axis>
+void shift_programmed(Events& events) {
+  at_line(events, line).programmed.value.at(axis) += Real(1);
 }
 void shorten_vector(Events& events) {
   model::Event& event = at_line(events, 3);
@@ -227,6 +273,16 @@ spec::Case row_of_holes() {
   return fanuc("canned-cycle",
                "G90 G00 X10. Y20. Z50. G43 H1\nG99 G81 X30. R5. Z-10. F100\nG91 X5. K3\nG98 Y7. R-30. Z-12.\n"
                "G80 G00 Z1.\n");
+}
+
+// Holes of a tool of 0.05 less than its table says: under a shifted datum, behind M140 MB MAX, and one that a
+// peripheral contour comes before. Line 8 does nothing.
+spec::Case klartext_holes() {
+  return klartext("peripheral-milling",
+                  "TOOL CALL 1 Z DL-0.05\nL X+10 Y+20 Z+50 R0 FMAX\nCYCL DEF 7.0\nCYCL DEF 7.1 Z+3\n"
+                  "CYCL DEF 200 DRILLING Q200=+2 Q201=-20 Q203=+5 Q204=+30\nCYCL CALL\nQ201 = 0\nL X+15 M99\n"
+                  "Q201 = -Q204 / 2\nM140 MB MAX\nL IX+15 Y+25 FMAX M99\nQ200 = 40\nM128\nL X+0 RL\n"
+                  "L Y+40\nL R0\nM129\nCYCL CALL\nL X+1\n");
 }
 
 std::vector<Example> examples() {
@@ -315,6 +371,20 @@ std::vector<Example> examples() {
       {"cylinder-beside-the-line", side(), shift_point<4, 1>},
       {"cylinder-beside-the-line", side(), shift_point<5, 0>},
       {"cylinder-beside-the-line", side(), shift_point<6, 0>},
+      {"hole-where-programmed", klartext_holes(), shift_hole<6, 0>},
+      {"hole-where-programmed", klartext_holes(), shift_hole<11, 1>},
+      {"hole-where-programmed", klartext_holes(), shift_hole<18, 0>},
+      {"hole-where-programmed", klartext_holes(), leave_out_hole<6>},
+      {"hole-where-programmed", klartext_holes(), leave_out_hole<18>},
+      {"hole-where-programmed", klartext_holes(), drill_twice<11>},
+      {"hole-where-programmed", klartext_holes(), drill_elsewhere<6, 8>},
+      {"hole-where-programmed", klartext_holes(), shift_programmed<19, 2>},
+      {"hole-by-its-parameters", klartext_holes(), shift_hole_along<6>},
+      {"hole-by-its-parameters", klartext_holes(), shift_level<6, &spec::Hole<Real>::level>},
+      {"hole-by-its-parameters", klartext_holes(), shift_level<11, &spec::Hole<Real>::bottom>},
+      {"hole-by-its-parameters", klartext_holes(), shift_level<18, &spec::Hole<Real>::level>},
+      {"hole-with-length", klartext_holes(), shift_hole_axes<6, 2>},
+      {"hole-with-length", klartext_holes(), shift_hole_axes<11, 1>},
   };
 }
 

@@ -173,7 +173,7 @@ TEST(EventCsv, ColumnsOfSpaceCompensation) {
                         "carrier.Y,carrier.Z,angle,flat,feed,unknown,"),
             std::string::npos)
       << header;
-  EXPECT_TRUE(header.ends_with(",t,reason,clauses\n"));
+  EXPECT_TRUE(header.ends_with(",r,bottom,return,t,reason,clauses\n"));
   const auto row = [](const Event<double>& event) {
     std::string out;
     append_event_csv(out, event, kAxes, append_shortest, Control::heidenhain);
@@ -182,12 +182,12 @@ TEST(EventCsv, ColumnsOfSpaceCompensation) {
   Event<double> event = space_move();
   EXPECT_EQ(row(event),
             "move,5,,linear,programmed,10,0,0.1,10,1.5,0.1,10,1.5,4.1,90,,,,,0,0,1,,,,,,,,,"
-            "1,2,3,,,,,,,0.5,0,0,0.5,0,0.25,,,,,,250,,,,,,,,\n");
+            "1,2,3,,,,,,,0.5,0,0,0.5,0,0.25,,,,,,250,,,,,,,,,,,\n");
   event.space->carrier = {1, 2, 103};
   event.space->contact = Contact<double>{.point = {4, 5, 6}, .normal = {0.6, 0, 0.8}, .flat = true, .angle = 45};
   EXPECT_EQ(row(event),
             "move,5,,linear,programmed,10,0,0.1,10,1.5,0.1,10,1.5,4.1,90,,,,,0,0,1,,,,,,,,,"
-            "1,2,3,4,5,6,0.6,0,0.8,0.5,0,0,0.5,0,0.25,1,2,103,45,true,250,,,,,,,,\n");
+            "1,2,3,4,5,6,0.6,0,0.8,0.5,0,0,0.5,0,0.25,1,2,103,45,true,250,,,,,,,,,,,\n");
   Event<double> undecided;
   undecided.kind = EventKind::undecided;
   undecided.out_of_scope = true;

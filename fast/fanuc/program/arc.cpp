@@ -49,12 +49,13 @@ std::array<DoubleDouble, 2> fine_center(const std::array<Count, 2>& start, const
   return center;
 }
 
-// atan2 gives a start; one step of the angle addition formula in double-double gives the rest.
+// atan2 gives a start; one step of the angle addition formula in double-double gives the rest. NaN for NaN.
 double positive_angle(const DoubleDouble& x, const DoubleDouble& y) {
   if (y.hi == 0) return x.hi > 0 ? (fault(Fault::arc_full_circle_empty) ? 0 : 360) : 180;
   if (x.hi == 0) return y.hi > 0 ? 90 : 270;
   constexpr DoubleDouble kDegrees{0x1.ca5dc1a63c1f8p+5, -0x1.1e7ab456405f9p-49};  // 180 / pi
   double first = std::atan2(y.hi, x.hi) * kDegrees.hi;
+  if (std::isnan(first)) return first;
   if (first < 0) first += 360;
   const Count start = Count::of_units(static_cast<Int128>(first * kUnitsPerOne.hi));
   const auto t = fine_sine_cosine(start);

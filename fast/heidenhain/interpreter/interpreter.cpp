@@ -173,7 +173,10 @@ Alarm Interpreter::execute(const Block& block, Functions functions) {
   if ((functions & kMachine) != 0 && tcpm_) return AlarmCause::machine_coordinates_under_tcpm;
   switch (block.statement) {
     case Statement::line:
-      return line(block, functions);
+      if (const Alarm a = line(block, functions)) return a;
+      if (block.calls_cycle && !stopped_) [[unlikely]]
+        return call_cycle();
+      break;
     case Statement::line_with_vectors:
       return line_with_vectors(block, functions);
     case Statement::end_program:
@@ -198,12 +201,14 @@ Alarm Interpreter::execute(const Block& block, Functions functions) {
       if (block.corrections != CorrectionTable::wpl) tool_.set_row(std::nullopt);
       break;
     case Statement::cycle:
-      if (block.cycle == 7) return datum_shift(block);
-      break;
+      return block.cycle == 7 ? datum_shift(block) : define_cycle(block);
     case Statement::assignment:
-      return assign(block);
+      return assign(block.target, block.value);
     case Statement::call_program:
       side_ = 0;
+      break;
+    case Statement::miscellaneous:
+      if (block.calls_cycle) return call_cycle();
       break;
     case Statement::begin_program:
     case Statement::block_form:
@@ -214,7 +219,6 @@ Alarm Interpreter::execute(const Block& block, Functions functions) {
     case Statement::label:
     case Statement::call_label:
     case Statement::program_return:
-    case Statement::miscellaneous:
     case Statement::without_effect:
       break;
   }
@@ -264,10 +268,10 @@ Alarm Interpreter::datum_shift(const Block& block) {
   return AlarmCause::none;
 }
 
-Alarm Interpreter::assign(const Block& block) {
+Alarm Interpreter::assign(const spec::klartext::Parameter& target, const spec::klartext::Value& word) {
   Count value;
-  if (!parameters_.read(block.value, value)) return AlarmCause::position_range;
-  parameters_.assign(block.target, value);
+  if (!parameters_.read(word, value)) return AlarmCause::position_range;
+  parameters_.assign(target, value);
   return AlarmCause::none;
 }
 

@@ -52,7 +52,7 @@ class Interpreter {
 
   [[nodiscard]] Alarm tool_call(const Block& block);
   [[nodiscard]] Alarm datum_shift(const Block& block);
-  [[nodiscard]] Alarm assign(const Block& block);
+  [[nodiscard]] Alarm assign(const spec::klartext::Parameter& target, const spec::klartext::Value& word);
   void switch_tcpm_on();
   void switch_tcpm_off();
   // The rotary positions turn the tool from its axis.
@@ -97,6 +97,22 @@ class Interpreter {
   [[nodiscard]] Alarm settle(const Block& block);
   [[nodiscard]] bool needs_unknown(const Block& block, unsigned before) const;
   void set_unknown(unsigned slots);
+
+  // drilling.cpp: drilling cycles. Coordinates of a hole along the tool axis, from the preset.
+  struct DrillingLevels {
+    Count point_r, bottom;
+    Count level;  // to which the tool returns
+  };
+  // CYCL DEF of a drilling cycle: its parameters have their values from here on.
+  [[nodiscard]] Alarm define_cycle(const Block& block);
+  // A hole at hand would need a position that nobody knows.
+  [[nodiscard]] bool hole_needs_unknown() const;
+  // CYCL CALL or M99, behind the motion of its block: one hole where the linear axes stand, or nothing with depth 0.
+  [[nodiscard]] Alarm call_cycle();
+  // By the parameters as they are now.
+  [[nodiscard]] Alarm find_levels(DrillingLevels& levels) const;
+  // The tool axis goes to `level`, which becomes its programmed position.
+  void stand_at(const Count& level);
 
   // lines.cpp
   [[nodiscard]] bool may_be_face_lines(const LineChunk& chunk) const;

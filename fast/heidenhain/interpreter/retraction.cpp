@@ -65,6 +65,7 @@ Alarm Interpreter::settle(const Block& block) {
 // heidenhain.program.unknown-position; `before`: what was unknown before the block.
 bool Interpreter::needs_unknown(const Block& block, unsigned before) const {
   if ((block.axes & block.incremental & before) != 0) return true;
+  if (block.calls_cycle && hole_needs_unknown()) return true;
   const bool by_normal = block.statement == spec::klartext::Statement::line_with_vectors && block.has_normal;
   return compensates() && !by_normal && (before | unknown_) != 0;
 }

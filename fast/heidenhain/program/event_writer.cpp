@@ -3,6 +3,7 @@
 
 #include <bit>
 
+#include "fast/basis/fault.h"
 #include "spec/language/run_end.h"
 
 namespace toolcomp::fast::klartext {
@@ -25,6 +26,8 @@ EventWriter::EventWriter(const spec::Setup& setup, EventSink& sink)
     event->point.present = linear_;
   }
   contact_.space->contact.emplace();
+  hole_.kind = spec::EventKind::hole;
+  hole_.axes.present = linear_;
 }
 
 void EventWriter::move(const MoveHead& head, const Placement& placement, const ToolLength& length, spec::Cause cause) {
@@ -44,6 +47,19 @@ void EventWriter::move_to_unknown(const MoveHead& head, const Placement& placeme
   for (spec::AxisValues<double>* values : {&event.programmed, &event.point, &event.axes})
     values->present = static_cast<std::uint16_t>(values->present & ~head.unknown);
   sink_.on(event);
+}
+
+// heidenhain.program.length-along-the-tool: axes = point + dL t, with the tool along the axis of the hole.
+void EventWriter::hole(const MoveHead& head, const spec::Hole<double>& hole, const ToolLength& length) {
+  hole_.line = head.line;
+  hole_.n = head.n;
+  hole_.hole = hole;
+  hole_.point.present = static_cast<std::uint16_t>(linear_ & ~(1U << hole.axis));
+  other_axes(hole_, head);
+  put_xyz(hole_.point, head.xyz);
+  put_xyz(hole_.axes, head.xyz);
+  if (!fault(Fault::klartext_hole_length_missing)) hole_.axes.value[hole.axis] += length.length_delta;
+  sink_.on(hole_);
 }
 
 void EventWriter::other_axes(fast::Event& event, const MoveHead& head) const {

@@ -30,6 +30,8 @@ class EventWriter {
                                               const ToolLength& length, spec::Cause cause) {
     send(contact_, head, placement, length, cause);
   }
+  // A hole behind which the axes stand as `head` says.
+  void hole(const MoveHead& head, const spec::Hole<double>& hole, const ToolLength& length);
   void warnings(const BlockHead& head, Warnings warnings);
   void undecided(const BlockHead& head);
   // `more`: a text that says more than the table of alarms; nullptr: none does.
@@ -60,6 +62,7 @@ class EventWriter {
   std::uint16_t others_ = 0;  // linear axes but X, Y, Z
   fast::Event plain_;         // moves without contact
   fast::Event contact_;       // moves with one
+  fast::Event hole_;
   fast::Event report_;
 };
 

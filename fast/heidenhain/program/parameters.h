@@ -25,10 +25,12 @@ class Parameters {
       value = Count::of(word.number);
       return true;
     }
-    value = value_[slot(word.parameter)];
+    value = this->value(word.parameter);
     if (word.number.negative) value = -value;
     return true;
   }
+  // One that was never assigned counts 0.
+  [[nodiscard]] const Count& value(const spec::klartext::Parameter& parameter) const { return value_[slot(parameter)]; }
   void assign(const spec::klartext::Parameter& target, const Count& value) { value_[slot(target)] = value; }
 
  private:

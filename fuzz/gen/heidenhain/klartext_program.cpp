@@ -28,6 +28,7 @@ KlartextProgram::KlartextProgram(Choices& choose, const spec::Setup& setup, cons
 }
 
 std::string KlartextProgram::text(std::uint32_t blocks) {
+  drills_ = choose_.chance(17);
   head();
   while (motions_ < blocks) motion();
   tail();
@@ -66,6 +67,7 @@ void KlartextProgram::tail() {
 }
 
 void KlartextProgram::motion() {
+  if (drills_ && choose_.chance(30)) return holes();
   const int kinds[] = {weights_.face, weights_.beside, weights_.plain, weights_.statements, 2, 1};
   switch (choose_.weighted(kinds)) {
     case 0:

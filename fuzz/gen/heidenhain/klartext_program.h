@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "fuzz/gen/heidenhain/klartext_writer.h"
 #include "fuzz/gen/heidenhain/space_vectors.h"
@@ -58,6 +59,20 @@ class KlartextProgram {
   void out_of_scope();
   void approach();
 
+  // Drilling cycles (klartext_holes.cpp).
+  void holes();
+  void rest_before_holes();
+  void define_cycle();
+  void choose_levels();
+  void cycle_word(std::string_view parameter, std::int64_t count, std::string_view meaning);
+  void change_cycle();
+  void assign_level();
+  void shift_along_the_tool();
+  void retract();
+  void hole();
+  void cross_the_tool();
+  void refused_call();
+
   void position_words(std::string_view prefix, bool all);
   void line_words(std::uint64_t rotary);
   void rotary_words();
@@ -87,6 +102,17 @@ class KlartextProgram {
   std::int64_t one_ = 10'000;
   bool inch_ = false;
   std::uint32_t motions_ = 0;
+  bool drills_ = false;   // the program has drilling cycles
+  bool defined_ = false;  // one was
+  bool lines_of_cycle_ = true;
+  // Of the cycle, as far as the generator knows.
+  struct Levels {
+    std::int64_t clearance = 0;
+    std::int64_t depth = 0;
+    std::int64_t surface = 0;
+    std::int64_t second = 0;
+  };
+  Levels levels_;
 
   // Where the program stands, as far as the generator knows.
   std::array<std::int64_t, 3> at_{};

@@ -80,7 +80,7 @@ std::string any_klartext_word(Choices& choose) {
       return choose.one_of({"F100", "FMAX", "F MAX", "FAUTO", "F AUTO", "FZ0.1", "FU0.5", "F+Q1", "F"});
     case 4:
       return choose.one_of({"M107", "M108", "M128", "M129", "M3", "M30", "M2", "M91", "M92", "M0", "M8", "M9999",
-                            "M140 MB MAX", "M140 MB4"});
+                            "M140 MB MAX", "M140 MB4", "M99", "M89"});
     case 5:
       return choose.one_of({"DL+0.1", "DR-0.1", "DR2:+0.3", "DR2-0.1", "DR:0", "S5000", "Z"});
     default:
@@ -138,6 +138,15 @@ std::string any_klartext_statement(Choices& choose, const spec::Setup& setup) {
                             "TOOL CALL QS3 Z",
                             "CYCL DEF 7.0 DATUM SHIFT",
                             "CYCL DEF 7.1 X+10 IY-2",
+                            "CYCL DEF 200 DRILLING Q200=+2 Q201=-20 Q203=+0 Q204=+50",
+                            "CYCL DEF 207 Q201=-5.5 Q200=Q1",
+                            "CYCL DEF 240 CENTERING Q343=+0",
+                            "CYCL CALL",
+                            "CYCL CALL M3",
+                            "M99",
+                            "L X+1 R0 M99",
+                            "Q201 = Q201 - 1",
+                            "Q204 = -Q200",
                             "PLANE RESET STAY",
                             "STOP M8",
                             "Q1 = +2.5",
@@ -189,7 +198,10 @@ std::string odd_klartext(Choices& choose) {
                         "~",
                         "/ /",
                         "\t",
-                        "CYCL DEF 7.1 A+1"});
+                        "CYCL DEF 7.1 A+1",
+                        "CYCL DEF 200 Q200=",
+                        "CYCL DEF 201 QL200=+1",
+                        "CYCL CALL 5"});
 }
 
 }  // namespace toolcomp::fuzz

@@ -40,8 +40,9 @@ KlartextWriter& KlartextWriter::number(std::string_view key, std::int64_t count,
   return word(std::string(key) + text);
 }
 
-KlartextWriter& KlartextWriter::value(std::string_view key, std::int64_t count, int decimals) {
-  if (!choose_.chance(3)) return number(key, count, decimals);
+KlartextWriter& KlartextWriter::value(std::string_view key, std::int64_t count, int decimals,
+                                      std::uint64_t by_parameter) {
+  if (!choose_.chance(by_parameter)) return number(key, count, decimals);
   constexpr std::string_view kinds[] = {"Q", "QL", "QR"};
   const std::string_view kind = choose_.one_of(kinds);
   const std::int64_t index = choose_.between(0, 9);

@@ -21,8 +21,8 @@ class KlartextWriter {
   KlartextWriter& word(std::string_view text);
   // A key with a literal.
   KlartextWriter& number(std::string_view key, std::int64_t count, int decimals);
-  // The same, or through a parameter that is assigned in a block before.
-  KlartextWriter& value(std::string_view key, std::int64_t count, int decimals);
+  // The same, or, in so many of 100, through a parameter that is assigned in a block before.
+  KlartextWriter& value(std::string_view key, std::int64_t count, int decimals, std::uint64_t by_parameter = 3);
   // Ends the block; nothing happens without words. `may_go_on`: the block may take two lines.
   void end_block(bool may_go_on = true);
   // Lines that are no blocks: comments, structure.

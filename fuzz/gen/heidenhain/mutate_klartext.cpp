@@ -13,13 +13,19 @@
 namespace toolcomp::fuzz {
 namespace {
 
+// Behind the parameter of Q200=+2; else the word.
+std::size_t value_begin(const std::string& word) {
+  const std::size_t sign = word.find('=');
+  return sign == std::string::npos ? 0 : sign + 1;
+}
+
 void negate(std::string& word) {
   const std::size_t sign = word.find_first_of("+-");
   if (sign != std::string::npos) {
     word[sign] = word[sign] == '+' ? '-' : '+';
     return;
   }
-  const std::size_t digit = word.find_first_of("0123456789.");
+  const std::size_t digit = word.find_first_of("0123456789.", value_begin(word));
   if (digit != std::string::npos && digit > 0) word.insert(digit, "-");
 }
 
@@ -44,11 +50,11 @@ void change_word(Choices& choose, Mode mode, WordTexts& line) {
   }
   switch (choose.weighted({50, 20, 12, 8, 10})) {
     case 0:
-      return change_digit(choose, word, 0);
+      return change_digit(choose, word, value_begin(word));
     case 1:
       return negate(word);
     case 2:
-      if (!free) return change_digit(choose, word, 0);
+      if (!free) return change_digit(choose, word, value_begin(word));
       word = any_klartext_word(choose);
       return;
     case 3:
@@ -58,7 +64,7 @@ void change_word(Choices& choose, Mode mode, WordTexts& line) {
       return;
     default:
       // A word too few makes most blocks unreadable.
-      if (!free) return change_digit(choose, word, 0);
+      if (!free) return change_digit(choose, word, value_begin(word));
       line.erase(line.begin() + static_cast<std::ptrdiff_t>(at));
       return;
   }

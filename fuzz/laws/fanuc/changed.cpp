@@ -30,8 +30,7 @@ std::optional<std::string> rewritten(const spec::Case& c, const ChangedWord& cha
   std::string text;
   std::uint64_t line = 1;
   try {
-    spec::ProgramReader reader(spec::text_source(c.program), c.setup.axes,
-                               {.file = "program", .block_skip = c.setup.block_skip});
+    spec::ProgramReader reader(spec::text_source(c.program), c.setup.axes, spec::reader_options(c.setup));
     const auto block = std::make_unique<spec::Block>();
     const auto image = std::make_unique<spec::Block>();
     std::uint64_t latest = 0;

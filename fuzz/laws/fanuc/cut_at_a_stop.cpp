@@ -26,8 +26,7 @@ bool has_code(const spec::Block& block, std::uint64_t code) {
 std::vector<std::uint64_t> stops_of(const spec::Case& c) {
   std::vector<std::uint64_t> stops;
   try {
-    spec::ProgramReader reader(spec::text_source(c.program), c.setup.axes,
-                               {.file = "program", .block_skip = c.setup.block_skip});
+    spec::ProgramReader reader(spec::text_source(c.program), c.setup.axes, spec::reader_options(c.setup));
     const auto block = std::make_unique<spec::Block>();
     std::uint64_t latest = 0;
     while (reader.next(*block)) {

@@ -204,8 +204,7 @@ FanucProgram::FanucProgram(const spec::Case& c) {
   FanucBlock state;
   state.inches = c.setup.units == spec::Units::inch;
   try {
-    spec::ProgramReader reader(spec::text_source(c.program), c.setup.axes,
-                               {.file = "program", .block_skip = c.setup.block_skip});
+    spec::ProgramReader reader(spec::text_source(c.program), c.setup.axes, spec::reader_options(c.setup));
     const auto block = std::make_unique<spec::Block>();
     while (reader.next(*block) && !block->alarm) {
       state.line = block->line;

@@ -92,6 +92,7 @@ class State {
       state_.side = b.radius == RadiusWord::rl ? 1 : b.radius == RadiusWord::rr ? -1 : 0;
     state_.line = b.line;
     state_.statement = b.statement;
+    state_.drills = b.calls_cycle;
     state_.normal.reset();
     state_.tool.reset();
     if (b.statement == Statement::line_with_vectors) {

@@ -30,6 +30,7 @@ struct KlartextBlock {
   bool tcpm = false;
   bool center = false;   // CNT-CNT: the programmed point is the tool centre
   bool contour = false;  // PROG PATH IS CONTOUR
+  bool drills = false;   // it calls a drilling cycle
   char axis = 'Z';
   // Positions of A, B and C by their words, degrees. Nothing where they do not say how the tool stands: a parameter, a
   // vector or another tool axis under TCPM came before.
@@ -44,6 +45,8 @@ class KlartextProgram {
   // Empty where the control is another.
   explicit KlartextProgram(const spec::Case& c);
 
+  // In the order they run.
+  [[nodiscard]] const std::vector<KlartextBlock>& blocks() const { return blocks_; }
   // The block that begins in this line, or nothing.
   [[nodiscard]] const KlartextBlock* block(std::uint64_t line) const;
   // Whether a tool call stands in the lines behind `from`, up to `to`.

@@ -24,9 +24,13 @@ void no_deltas(const spec::Case& c, std::span<const model::Event> events, const 
   const KlartextProgram program(changed);
   for (std::size_t i = 0; i < other.size(); ++i) {
     const model::Event& event = other[i];
-    if (event.kind != spec::EventKind::move || !event.space || program.block(event.line) == nullptr) continue;
+    if (program.block(event.line) == nullptr) continue;
     // Of the given events the place is named, where there is one.
     const std::size_t place = std::min(i, events.size() - 1);
+    if (event.hole && event.axes.has(event.hole->axis))
+      holding.zero(event.axes[event.hole->axis] - event.hole->level, place,
+                   "tool axis behind a hole, less the level of return, with deltas of zero");
+    if (event.kind != spec::EventKind::move || !event.space) continue;
     const auto point = xyz(c.setup.axes, event.point);
     const auto axes = xyz(c.setup.axes, event.axes);
     if (!xyz(c.setup.axes, event.programmed) || !point || !axes) continue;

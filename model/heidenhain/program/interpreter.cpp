@@ -46,6 +46,8 @@ std::optional<Motion> Interpreter::read(const Block& block) {
     raise(recorder_, Clause::heidenhain_program_machine_coordinates_under_tcpm,
           AlarmCause::machine_coordinates_under_tcpm);
   std::optional<Motion> motion = execute(block, functions);
+  hole_.reset();
+  if (block.calls_cycle) call_cycle(block);
   act_at_end(functions);
   ends_ = functions.ends_program || block.statement == Statement::end_program;
   return motion;
@@ -97,6 +99,7 @@ std::optional<Motion> Interpreter::execute(const Block& block, const Functions& 
       break;
     case Statement::cycle:
       if (block.cycle == 7) position_.shift_datum(block);
+      define_cycle(block);
       break;
     case Statement::assignment:
       values_.assign(block.target, block.value);
@@ -144,13 +147,38 @@ void Interpreter::correct(const Block& block) {
     tool_.drop_correction();
 }
 
+void Interpreter::define_cycle(const Block& block) {
+  if (block.cycle_values.empty()) return;
+  // heidenhain.program.drilling-cycle: CYCL DEF of one of the cycles 200 to 203, 205 to 207, 209, 240 and 241 defines a
+  // drilling cycle. It sets the Q parameters that it names as assignments do, in the order written, and moves nothing.
+  recorder_.reach(Clause::heidenhain_program_drilling_cycle);
+  for (const spec::klartext::Assignment& each : block.cycle_values) values_.assign(each.target, each.value);
+}
+
+void Interpreter::call_cycle(const Block& block) {
+  const std::size_t slot = direction_.axis_index();
+  const bool unknown = position_.unknown() != 0;
+  const Vector before = position_.point();
+  const std::optional<HoleLevels> levels = position_.drill(slot);
+  if (!levels) return;
+  if (unknown) require_positions(position_.unknown() != 0);
+  Motion motion;
+  motion.line = block.line;
+  motion.n = block.n;
+  add_position(motion);
+  motion.travel = motion.position - before;
+  motion.tool = tool_.effective();
+  motion.direction = direction_.current();
+  hole_ = {std::move(motion), setup_.axes.index(spec::klartext::kAxisLetters.at(slot)), levels->r, levels->bottom};
+}
+
 // Modal words count also where nothing moves.
 std::optional<Motion> Interpreter::line(const Block& block, const Functions& functions) {
   if (block.radius != RadiusWord::none)
     side_ = block.radius == RadiusWord::rl ? Side::left : block.radius == RadiusWord::rr ? Side::right : Side::none;
   feed_.of_block(block);
   const bool retracts = block.retraction != Retraction::none;
-  if (block.axes == 0 && !retracts && !block.departs) return std::nullopt;
+  if (block.axes == 0 && !retracts && !block.departs_from_contour()) return std::nullopt;
 
   Motion motion;
   motion.line = block.line;
@@ -170,18 +198,11 @@ std::optional<Motion> Interpreter::line(const Block& block, const Functions& fun
 
   const Vector before = position_.point();
   move_to_end(block, functions);
-  motion.unknown = position_.unknown();
-  motion.position = position_.point();
+  add_position(motion);
   motion.travel = block.retraction == Retraction::to_limit ? direction_.current().unit : motion.position - before;
-  for (std::size_t slot = 0; slot < spec::klartext::kAxisLetters.size(); ++slot) {
-    const std::size_t axis = setup_.axes.index(spec::klartext::kAxisLetters.at(slot));
-    if (axis == spec::Axes::kNone) continue;
-    if (!is_rotary_slot(slot)) {
-      if ((motion.unknown >> slot & 1U) == 0) motion.programmed.set(axis, position_.at(slot));
-    } else if (block.has_axis(slot)) {
-      motion.rotary.set(axis, position_.at(slot));
-    }
-  }
+  for (std::size_t slot = kFirstRotarySlot; slot < kFirstParallelSlot; ++slot)
+    if (block.has_axis(slot))
+      motion.rotary.set(setup_.axes.index(spec::klartext::kAxisLetters.at(slot)), position_.at(slot));
   motion.tool = tool_.effective();
   motion.tcpm = direction_.tcpm();
   // heidenhain.program.reference-point: Under REFPNT CNT-CNT the programmed point is the centre of the tool, R2 above
@@ -192,6 +213,16 @@ std::optional<Motion> Interpreter::line(const Block& block, const Functions& fun
   return motion;
 }
 
+void Interpreter::add_position(Motion& motion) const {
+  motion.unknown = position_.unknown();
+  motion.position = position_.point();
+  for (std::size_t slot = 0; slot < spec::klartext::kAxisLetters.size(); ++slot) {
+    const std::size_t axis = setup_.axes.index(spec::klartext::kAxisLetters.at(slot));
+    if (axis != spec::Axes::kNone && !is_rotary_slot(slot) && (motion.unknown >> slot & 1U) == 0)
+      motion.programmed.set(axis, position_.at(slot));
+  }
+}
+
 void Interpreter::move_to_end(const Block& block, const Functions& functions) {
   const unsigned before = position_.unknown();
   const bool increment = position_.needs_unknown(block);
@@ -199,18 +230,22 @@ void Interpreter::move_to_end(const Block& block, const Functions& functions) {
     position_.retract(values_.word(block.retraction_by), direction_.current().unit);
   else if (block.retraction == Retraction::to_limit)
     position_.retract_to_limit(direction_.current().unit);
-  else if (block.departs)
+  else if (block.departs_from_contour())
     position_.depart(direction_.current().unit);
   else
     position_.move(block, functions.machine_coordinates);
   if ((before | position_.unknown()) == 0) return;
   const bool vectors = block.statement == Statement::line_with_vectors;
   const bool lateral = direction_.tcpm() && side_ != Side::none && !(vectors && block.has_normal);
-  const bool needs = increment || lateral;
+  require_positions(increment || lateral);
+}
+
+void Interpreter::require_positions(bool needs) {
   // heidenhain.program.unknown-position: Events do not have coordinates of an axis whose position is unknown, nor
   // vectors of the tool, and name the axis in `unknown`. A word of the axis without I makes its position known. A block
-  // that needs one before ends the run without an alarm, with not_judged: one with an increment of such an axis, and
-  // one under RL or RR and TCPM without a normal before or at the end of which one is unknown.
+  // that needs one before ends the run without an alarm, with not_judged: one with an increment of such an axis, one
+  // under RL or RR and TCPM without a normal before or at the end of which one is unknown, and a hole where a linear
+  // axis other than the tool axis is.
   if (recorder_.decide(Clause::heidenhain_program_unknown_position, needs))
     throw Alarm(AlarmCause::not_judged,
                 "an unknown position (after M140 MB MAX, or a departure from a contour) is not judged");

@@ -27,6 +27,8 @@ class Interpreter {
 
   // Executes the block; its motion, if it makes one. Throws Alarm.
   std::optional<Motion> read(const spec::klartext::Block& block);
+  // The hole of the block read last, which it drills after its motion.
+  [[nodiscard]] const std::optional<DrilledHole>& hole() const { return hole_; }
   // The program ends with the block read last.
   [[nodiscard]] bool ends() const { return ends_; }
   // A tool was called in the block read last, or its values changed.
@@ -39,9 +41,14 @@ class Interpreter {
   std::optional<Motion> execute(const spec::klartext::Block& block, const Functions& functions);
   void call_tool(const spec::klartext::Block& block);
   void correct(const spec::klartext::Block& block);
+  void define_cycle(const spec::klartext::Block& block);
 
   // L and LN.
   std::optional<Motion> line(const spec::klartext::Block& block, const Functions& functions);
+  void add_position(Motion& motion) const;
+  void call_cycle(const spec::klartext::Block& block);
+  // Positions are unknown. Throws Alarm not_judged where one of them is needed.
+  void require_positions(bool needs);
   // Where the block ends. Throws Alarm not_judged where it needs a position that nobody knows.
   void move_to_end(const spec::klartext::Block& block, const Functions& functions);
   void direct(Motion& motion, const spec::klartext::Block& block);
@@ -56,6 +63,7 @@ class Interpreter {
   ToolDirection direction_;
   Feed feed_;
   Side side_ = Side::none;
+  std::optional<DrilledHole> hole_;
   bool contour_ = false;
   bool oversize_allowed_ = false;
   bool begun_ = false;

@@ -80,4 +80,11 @@ struct Motion {
   }
 };
 
+// A hole of a drilling cycle, in its place among the motions.
+struct DrilledHole {
+  Motion motion;         // as L to its end, the tool at the level of return
+  std::size_t axis = 0;  // along which it goes, by its place in the setup
+  Real r, bottom;        // along it: where the cycle begins, and as deep as it goes
+};
+
 }  // namespace toolcomp::model::klartext

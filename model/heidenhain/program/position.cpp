@@ -47,6 +47,26 @@ void ProgrammedPosition::depart(const Vector& tool) {
     if (component(tool, slot).sign() == exact::Sign::zero) unknown_ |= 1U << slot;
 }
 
+std::optional<HoleLevels> ProgrammedPosition::drill(std::size_t slot) {
+  using spec::klartext::Parameter;
+  const auto value = [this](const Parameter& parameter) { return values_.word({{}, parameter}); };
+  const Real depth = value(spec::klartext::kDepth);
+  // heidenhain.program.cycle-call: CYCL CALL, and M99 at the end of its block, run the drilling cycle defined last
+  // where the linear axes stand: one hole along the tool axis, by Q200 (set-up clearance), Q201 (depth), Q203 (surface)
+  // and Q204 (second set-up clearance) as they are then. It begins at Q203 + Q200 and is as deep as Q203 + Q201, from
+  // the shifted datum. With Q201 = 0 the cycle does nothing. To all other rules a hole is a motion of L under R0.
+  if (!recorder_.decide(Clause::heidenhain_program_cycle_call, depth.sign() != exact::Sign::zero)) return std::nullopt;
+  const Real surface = datum_.at(slot) + value(spec::klartext::kSurface);
+  const Real clearance = value(spec::klartext::kSetUpClearance);
+  const Real second = value(spec::klartext::kSecondClearance);
+  // heidenhain.program.cycle-return: After a hole the tool stands at Q203 + Q204 where Q204 is greater than Q200, else
+  // at Q203 + Q200. That is then the programmed position of the tool axis, known also where it was not before.
+  const bool higher = recorder_.decide(Clause::heidenhain_program_cycle_return, second > clearance);
+  at_.at(slot) = surface + (higher ? second : clearance);
+  unknown_ &= ~(1U << slot);
+  return HoleLevels{surface + clearance, surface + depth, at_.at(slot)};
+}
+
 void ProgrammedPosition::shift_datum(const spec::klartext::Block& block) {
   if (block.axes == 0) return;
   // heidenhain.program.datum-shift: CYCL DEF 7.n sets the shift of the axes it names, with I it adds to it, from there

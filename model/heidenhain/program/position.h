@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <optional>
 
 #include "model/basis/recorder.h"
 #include "model/exact/real.h"
@@ -21,6 +23,13 @@ inline constexpr std::size_t kFirstRotarySlot = 3;
 inline constexpr std::size_t kFirstParallelSlot = 6;
 constexpr bool is_rotary_slot(std::size_t slot) { return slot >= kFirstRotarySlot && slot < kFirstParallelSlot; }
 
+// Of a hole, along the tool axis: workpiece coordinates, units of the program.
+struct HoleLevels {
+  Real r;       // where the cycle begins
+  Real bottom;  // as deep as it goes
+  Real level;   // to which the tool returns
+};
+
 // Workpiece coordinates. Clauses: heidenhain.program.incremental, .datum-shift, .machine-coordinates, .retraction.
 class ProgrammedPosition {
  public:
@@ -35,6 +44,9 @@ class ProgrammedPosition {
   void retract_to_limit(const Vector& tool);
   // DEP without coordinates: somewhere in the plane at right angles to the tool, which is along its axis.
   void depart(const Vector& tool);
+  // A call of the drilling cycle defined last, along the axis of this slot: the tool stands at the level of return
+  // then. Nothing where the cycle does nothing. Clauses: heidenhain.program.cycle-call, .cycle-return.
+  std::optional<HoleLevels> drill(std::size_t slot);
   // Cycle 7.
   void shift_datum(const spec::klartext::Block& block);
 

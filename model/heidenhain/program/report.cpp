@@ -71,6 +71,17 @@ void report_move(const Motion& motion, const Compensated& compensated, const spe
   sink.on(event);
 }
 
+void report_hole(const DrilledHole& hole, const spec::Setup& setup, EventSink& sink) {
+  const Motion& motion = hole.motion;
+  Event event = event_of(spec::EventKind::hole, {motion.line, motion.n});
+  event.point = motion.programmed;
+  event.point.clear(hole.axis);
+  event.hole = {hole.axis, hole.r, hole.bottom, motion.programmed[hole.axis]};
+  event.axes = moved_to(motion.position + motion.tool->dl * motion.direction.unit, motion, setup.axes);
+  event.clauses = motion.clauses;
+  sink.on(event);
+}
+
 std::shared_ptr<const Event> unmade(const Motion& motion) {
   Event event = event_of(spec::EventKind::move, {motion.line, motion.n});
   event.programmed = motion.programmed;

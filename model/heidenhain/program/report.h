@@ -23,6 +23,8 @@ struct Place {
 
 // The warnings of a motion and its move. Clause: heidenhain.program.length-along-the-tool.
 void report_move(const Motion& motion, const Compensated& compensated, const spec::Setup& setup, EventSink& sink);
+// Clause: heidenhain.program.length-along-the-tool.
+void report_hole(const DrilledHole& hole, const spec::Setup& setup, EventSink& sink);
 // The move of a motion that is not made (Event::unmade).
 std::shared_ptr<const Event> unmade(const Motion& motion);
 // The warnings of a motion whose compensation is not modelled, and the event that says so.

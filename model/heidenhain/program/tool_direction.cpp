@@ -15,8 +15,9 @@ void ToolDirection::tool_axis(char letter) {
   // heidenhain.program.tool-axis: X, Y or Z of TOOL CALL is the tool axis: the direction of the tool where nothing
   // turns it. Without the letter it stays.
   if (!recorder_.decide(Clause::heidenhain_program_tool_axis, letter != 0)) return;
+  axis_index_ = space_index(letter);
   Vector e;
-  component(e, space_index(letter)) = 1;
+  component(e, axis_index_) = 1;
   axis_ = {e, 1, e, true};
   if (!tcpm_) current_ = axis_;
 }

@@ -25,6 +25,9 @@ class ToolDirection {
   // Where the tool points now; along the tool axis without TCPM.
   [[nodiscard]] const Direction& current() const { return current_; }
 
+  // X, Y or Z of the tool axis: 0, 1, 2.
+  [[nodiscard]] std::size_t axis_index() const { return axis_index_; }
+
   // X, Y or Z of TOOL CALL; 0: none.
   void tool_axis(char letter);
   // M128; `center`: its reference point is the centre of the tool.
@@ -51,7 +54,8 @@ class ToolDirection {
   Recorder& recorder_;
   bool tcpm_ = false;
   bool center_ = false;
-  Direction axis_;          // e of the tool axis
+  Direction axis_;  // e of the tool axis
+  std::size_t axis_index_ = 2;
   Direction current_;       // under TCPM it outlives a change of the tool axis
   bool by_vector_ = false;  // a vector turned the tool, and no rotary word came after it
   Direction left_;          // where TCPM was switched off and by_vector_: where the tool stands

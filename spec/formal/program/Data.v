@@ -3,6 +3,7 @@
     and gets back. Nothing here knows what a program means. *)
 From Coq Require Import List String Ascii ZArith Bool.
 From Toolcomp Require Import Numbers Outcomes Words Space.
+From Toolcomp Require State.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.
@@ -67,3 +68,10 @@ Definition tell_linear {num} (letters : list Letter.t) (v : values num) : told n
   tell_values (map snd (filter (fun row => Letter.linear (fst row)) (combine letters v))).
 Definition tell_vector {num} (v : triple num) : told num := let '(x, y, z) := v in tell_values [x; y; z].
 Definition tell_flag {num} (b : bool) : told num := Says (if b then 1 else 0).
+
+(** Its position is told of the linear axes but the drilling axis; `positions` is what the axes stand at behind it. *)
+Definition tell_hole {num} (letters : list Letter.t) (positions : told num) (h : hole num) : list (told num) :=
+  let beside row := Letter.linear (fst row) && negb (Nat.eqb (State.place (fst row) letters) (drilled_along h)) in
+  [tell_values (map snd (filter beside (combine letters (hole_point h))));
+   Number (point_r_level h); Number (bottom_level h); Number (return_level h); positions;
+   Says (Z.of_nat (drilled_along h))].

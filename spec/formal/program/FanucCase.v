@@ -64,13 +64,6 @@ Definition tell_move {num} (letters : list Letter.t) (m : move num) : list (told
    tell_maybe tell_values (machine_positions m); tell_maybe tell_arc (arc_of m); tell_maybe Number (feed_of m);
    tell_maybe tell_vector (tool_axis m)].
 
-(** Its position is told of the linear axes but the drilling axis. *)
-Definition tell_hole {num} (letters : list Letter.t) (h : hole num) : list (told num) :=
-  let beside row := Letter.linear (fst row) && negb (Nat.eqb (State.place (fst row) letters) (drilled_along h)) in
-  [tell_values (map snd (filter beside (combine letters (hole_point h))));
-   Number (point_r_level h); Number (bottom_level h); Number (return_level h); tell_values (positions_behind h);
-   Says (Z.of_nat (drilled_along h))].
-
 Definition tell_event {num} (letters : list Letter.t) (e : nat * event num) : told num :=
   Several
     (Says (Z.of_nat (fst e)) ::
@@ -82,7 +75,7 @@ Definition tell_event {num} (letters : list Letter.t) (e : nat * event num) : to
      | Warned name => [Says 4; Names name]
      | Sampled (numerator, denominator) point positions axis =>
          [Says 5; Says numerator; Says denominator; tell_linear letters point; tell_values positions; tell_vector axis]
-     | Drilled h => Says 6 :: tell_hole letters h
+     | Drilled h => Says 6 :: tell_hole letters (tell_values (positions_behind h)) h
      end).
 
 (** A case, its setup and the blocks of its program: the events. *)

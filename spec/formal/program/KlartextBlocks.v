@@ -68,15 +68,16 @@ Inductive statement (num : Type) :=
 | ProgPath (is_contour : bool)
 | CorrectionRow (table : correction_table) (row : Z)
 | CorrectionReset (table : correction_table)
-| Cycle (number part : Z) (shifts : list (axis_word num))
+| Cycle (number part : Z) (shifts : list (axis_word num)) (sets : list (q_parameter * written num))
 | Assignment (p : q_parameter) (v : written num)
 | CallProgram
+| CycleCall                                      (* CYCL CALL, and M99 alone *)
 | OtherStatement.                                (* read, and without effect *)
 Arguments BeginProgram {num} inch. Arguments EndProgram {num}. Arguments ToolCall {num} tool tool_axis given f.
 Arguments Line {num} w. Arguments LineWithVectors {num} w normal tool_vector. Arguments FunctionTcpm {num} reference.
 Arguments ResetTcpm {num}. Arguments ProgPath {num} is_contour. Arguments CorrectionRow {num} table row.
-Arguments CorrectionReset {num} table. Arguments Cycle {num} number part shifts. Arguments Assignment {num} p v.
-Arguments CallProgram {num}. Arguments OtherStatement {num}.
+Arguments CorrectionReset {num} table. Arguments Cycle {num} number part shifts sets. Arguments Assignment {num} p v.
+Arguments CallProgram {num}. Arguments CycleCall {num}. Arguments OtherStatement {num}.
 
 Record klartext_block (num : Type) := KlartextBlock {
   says : statement num;

@@ -33,6 +33,8 @@ Definition called_of (d : data) : called_tool :=
   | [] => NoToolWord
   | kind :: _ => one_of [ByNumber (whole_of (entry_at d 1)); ByName (text_of (entry_at d 2)); ByStringParameter] NoToolWord kind
   end.
+Definition assignment_of {num} {N : Numbers num} (d : data) : q_parameter * written num :=
+  (parameter_of (entry_at d 0) (entry_at d 1), written_of (entry_at d 2)).
 Definition correction_table_of (d : data) : correction_table := one_of [Tcs; Wpl; BothTables] Tcs d.
 
 (** The statements that are not empty by their places here. *)
@@ -53,9 +55,11 @@ Definition statement_of {num} {N : Numbers num} (d : data) : statement num :=
          ProgPath (flag_of (at_ 1%nat));
          CorrectionRow (correction_table_of (at_ 1%nat)) (whole_of (at_ 2%nat));
          CorrectionReset (correction_table_of (at_ 1%nat));
-         Cycle (whole_of (at_ 1%nat)) (whole_of (at_ 2%nat)) (map axis_word_of (entries (at_ 3%nat)));
+         Cycle (whole_of (at_ 1%nat)) (whole_of (at_ 2%nat)) (map axis_word_of (entries (at_ 3%nat)))
+           (map assignment_of (entries (at_ 4%nat)));
          Assignment (parameter_of (at_ 1%nat) (at_ 2%nat)) (written_of (at_ 3%nat));
-         CallProgram]
+         CallProgram;
+         CycleCall]
         OtherStatement kind
   end.
 
@@ -110,6 +114,7 @@ Definition tell_klartext_event {num} (letters : list Letter.t) (e : nat * klarte
      | AlarmRaised name => [Says 2; Names name]
      | SignOpen clause => [Says 3; Names clause]
      | OutOfScope => [Says 4]
+     | HoleMade h => Says 6 :: tell_hole letters (tell_linear letters (positions_behind h)) h
      end).
 
 (** A case, its setup and the blocks of its program: the events. *)

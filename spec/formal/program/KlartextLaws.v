@@ -21,7 +21,7 @@ Definition retracting (by_ : option (written R)) : line_words R := LineWords [] 
 (** heidenhain.program.end: nothing comes behind the block with M2, M30 or END PGM. *)
 Theorem nothing_behind_the_last_block {num} {N : Numbers num} (s : klartext_setup num) b more place st :
   ends_program b = true -> plans s (b :: more) place st = plans s [b] place st.
-Proof. intro E; cbn [plans]. destruct (klartext_step s b st) as [[st' p]| |]; try reflexivity. now rewrite E. Qed.
+Proof. intro E; cbn [plans]. destruct (whole_block s b st) as [[[st' p] d]| |]; try reflexivity. now rewrite E. Qed.
 
 Definition end_block : klartext_block R := KlartextBlock OtherStatement [30%Z] None.
 
@@ -37,16 +37,18 @@ Lemma end_in_is_last {num A} (x : outcome A) : nothing_behind ends_run (end_in (
 Proof. destruct x; cbn; auto. Qed.
 
 Definition stops_once {num} (i : item num) : Prop :=
-  match i with Moving _ _ => True | Stopped _ es => nothing_behind ends_run es end.
+  match i with Moving _ _ | Drilling _ _ => True | Stopped _ es => nothing_behind ends_run es end.
 
 Lemma plans_stop_once {num} {N : Numbers num} (s : klartext_setup num) bs place st :
   Forall stops_once (plans s bs place st).
 Proof.
   revert place st; induction bs as [|b bs IH]; intros place st; cbn [plans]; [constructor|].
-  destruct (klartext_step s b st) as [[st' p]|number|clause];
+  destruct (whole_block s b st) as [[[st' p] d]|number|clause];
     try (constructor; [apply (end_in_is_last (A := unit) (Alarm number)) ||
                        apply (end_in_is_last (A := unit) (Undecided clause))|constructor]).
-  destruct p as [p|]; [constructor; [exact I|]|]; (destruct (ends_program b); [constructor|apply IH]).
+  assert (L : Forall stops_once (if ends_program b then [] else plans s bs (S place) st')).
+  { destruct (ends_program b); [constructor|apply IH]. }
+  destruct p as [p|], d as [d|]; repeat (constructor; [exact I|]); exact L.
 Qed.
 
 Lemma placed {num} (place : nat) (es : list (klartext_event num)) : map snd (map (pair place) es) = es.
@@ -63,7 +65,7 @@ Qed.
 Lemma events_end_once {num} {N : Numbers num} (s : klartext_setup num) items :
   Forall stops_once items -> forall before, nothing_behind ends_run (map snd (events_of s items before)).
 Proof.
-  induction items as [|[place p|place es] items IH]; intros O before; [exact I| |].
+  induction items as [|[place p|place d|place es] items IH]; intros O before; [exact I| | |].
   - inversion O as [|? ? _ O']; subst. specialize (IH O'). cbn -[nothing_behind].
     destruct (way_of p) as [tip shift touch|nominal l by_delta by_radius|].
     + rewrite map_app. apply nothing_behind_app; [now apply warnings_go_on|apply IH].
@@ -72,6 +74,7 @@ Proof.
       * right; reflexivity.
       * right; reflexivity.
     + rewrite map_app. apply nothing_behind_app; [now apply warnings_go_on|apply IH].
+  - inversion O as [|? ? _ O']; subst. left. split; [reflexivity|now apply IH].
   - inversion O as [|? ? E _]; subst. cbn -[nothing_behind]. now rewrite placed.
 Qed.
 

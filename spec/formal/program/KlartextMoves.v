@@ -39,11 +39,12 @@ Arguments feed_of_move {num}. Arguments not_known {num}.
 
 Inductive klartext_event (num : Type) :=
 | Moved (m : klartext_move num)
+| HoleMade (h : hole num)                      (* what the linear axes alone stand at behind it counts *)
 | Warning (name : string)
 | AlarmRaised (name : string)
 | SignOpen (clause : string)                   (* it could not be decided *)
 | OutOfScope.                                  (* heidenhain.peripheral.out-of-scope *)
-Arguments Moved {num} m. Arguments Warning {num} name. Arguments AlarmRaised {num} name.
+Arguments Moved {num} m. Arguments HoleMade {num} h. Arguments Warning {num} name. Arguments AlarmRaised {num} name.
 Arguments SignOpen {num} clause. Arguments OutOfScope {num}.
 
 (** * Blocks that move *)

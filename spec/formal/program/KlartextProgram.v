@@ -2,7 +2,7 @@
 (** heidenhain/program: a run, block by block, to events. *)
 From Coq Require Import List String ZArith Bool.
 From Toolcomp Require Import Numbers Outcomes Words Space KlartextSpace KlartextBlocks KlartextTool KlartextPeripheral
-  KlartextState KlartextMoves.
+  KlartextState KlartextMoves KlartextDrilling.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.
@@ -24,7 +24,8 @@ Definition closes {num} {N : Numbers num} (b : klartext_block num) (st : klartex
   if has_function 108 b then with_m107 false st else st.
 
 (** heidenhain.program.machine-coordinates-under-tcpm: under TCPM a block with M91 or M92 raises E_TCPM_M91; M128 in the
-    same block is on already, M129 not yet off. *)
+    same block is on already, M129 not yet off.
+    A cycle that the block calls comes behind. *)
 Definition klartext_step {num} {N : Numbers num} (s : klartext_setup num) (b : klartext_block num)
     (st : klartext_state num) : outcome (klartext_state num * option (planned num)) :=
   _ <- match not_read b with Some name => Alarm name | None => Got tt end ;;
@@ -44,13 +45,23 @@ Definition klartext_step {num} {N : Numbers num} (s : klartext_setup num) (b : k
     | CorrectionRow Tcs row =>
         only (with_correction (option_map (deltas_from_table st) (lookup row (correction_rows s))) st)
     | CorrectionReset Tcs | CorrectionReset BothTables => only (with_correction None st)
-    | Cycle number part shifts =>
-        only (if (number =? 7) && negb (part =? 0) then with_datum (shifted_datum s shifts st) st else st)
+    | Cycle number part shifts sets =>
+        only (assigned sets (if (number =? 7) && negb (part =? 0) then with_datum (shifted_datum s shifts st) st else st))
     | Assignment p v => only (with_parameter p (value_of st v) st)
     | CallProgram => only (without_radius_compensation st)
     | _ => only st
     end ;;
   Got (closes b st, p).
+
+(** heidenhain.program.cycle-call: CYCL CALL, and M99 at the end of its block, run the drilling cycle. A block that cannot
+    run to its end gives nothing. *)
+Definition calls_cycle {num} (b : klartext_block num) : bool :=
+  has_function 99 b || match says b with CycleCall => true | _ => false end.
+Definition whole_block {num} {N : Numbers num} (s : klartext_setup num) (b : klartext_block num)
+    (st : klartext_state num) : outcome (klartext_state num * option (planned num) * option (drilled num)) :=
+  '(st, p) <- klartext_step s b st ;;
+  '(st, d) <- (if calls_cycle b then drill s st else Got (st, None)) ;;
+  Got (st, p, d).
 
 (** heidenhain.program.end: M2, M30 and END PGM end the program after their block. *)
 Definition ends_program {num} (b : klartext_block num) : bool :=
@@ -58,11 +69,13 @@ Definition ends_program {num} (b : klartext_block num) : bool :=
 
 (** * A run *)
 
-(** Blocks that move, with the place of their block, and what a run ends in. *)
+(** Blocks that move and holes, with the place of their block, and what a run ends in. *)
 Inductive item (num : Type) :=
 | Moving (place : nat) (p : planned num)
+| Drilling (place : nat) (d : drilled num)
 | Stopped (place : nat) (by_ : list (klartext_event num)).
 Arguments Moving {num} place p.
+Arguments Drilling {num} place d.
 Arguments Stopped {num} place by_.
 
 (** What a step ends the run with that has no result. *)
@@ -78,26 +91,30 @@ Fixpoint plans {num} {N : Numbers num} (s : klartext_setup num) (bs : list (klar
   match bs with
   | [] => []
   | b :: rest =>
-      match klartext_step s b st with
-      | Got (st, p) =>
+      match whole_block s b st with
+      | Got (st, p, d) =>
           let later := if ends_program b then [] else plans s rest (S place) st in
+          let later := match d with Some d => Drilling place d :: later | None => later end in
           match p with Some p => Moving place p :: later | None => later end
       | stops => [Stopped place (end_in stops)]
       end
   end.
 
 (** heidenhain.peripheral.first-block: the next block that moves, whatever its compensation; none at the end of the run,
-    and at an alarm. *)
+    and at an alarm.
+    heidenhain.program.cycle-call: a hole is a motion of L under R0. *)
 Definition following_of {num} (items : list (item num)) : option (following num) :=
   match items with
   | Moving _ p :: _ =>
       Some (Following (travel (ends (motion_of p)))
               match way_of p with Beside _ l _ _ => Some (left_side l) | _ => None end)
+  | Drilling _ d :: _ => Some (Following (travel_to_hole d) None)
   | _ => None
   end.
 
 (** heidenhain.peripheral.first-block: its move has the cause start-up.
-    heidenhain.peripheral.cancel: that of the first moving block behind the last compensated one has the cause cancel.
+    heidenhain.peripheral.cancel: that of the first moving block behind the last compensated one has the cause cancel; a
+    hole is such a block without a move.
     heidenhain.peripheral.former-direction, heidenhain.peripheral.reversal: alarms name the block whose end point is wanted,
     of which nothing is given. *)
 Fixpoint events_of {num} {N : Numbers num} (s : klartext_setup num) (items : list (item num))
@@ -105,6 +122,7 @@ Fixpoint events_of {num} {N : Numbers num} (s : klartext_setup num) (items : lis
   match items with
   | [] => []
   | Stopped place es :: _ => map (pair place) es
+  | Drilling place d :: rest => (place, HoleMade (hole_of d)) :: events_of s rest None
   | Moving place p :: rest =>
       let m := motion_of p in
       let here last := map (fun name => (place, Warning name)) (warnings p) ++ [(place, last)] in

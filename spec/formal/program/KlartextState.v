@@ -115,6 +115,12 @@ Definition value_of {num} {N : Numbers num} (st : klartext_state num) (w : writt
       end
   end.
 
+(** heidenhain.program.drilling-cycle: a definition sets the parameters that it names as assignments do, in the order
+    written. *)
+Definition assigned {num} {N : Numbers num} (sets : list (q_parameter * written num)) (st : klartext_state num) :
+    klartext_state num :=
+  fold_left (fun st '(p, v) => with_parameter p (value_of st v) st) sets st.
+
 (** heidenhain.program.incremental: a word with I is a travel from the programmed position, one without the end position.
     heidenhain.program.datum-shift: positions that are programmed count from the shifted datum.
     heidenhain.program.machine-coordinates: in a block with M91 or M92 the datum shift does not count. *)

@@ -158,13 +158,13 @@ Definition turned_item (i : item R) : item R :=
 Theorem exchanged_sides_same_events (s : klartext_setup R) items prior :
   events_of s (map turned_item items) (option_map turned_made prior) = events_of s items prior.
 Proof.
-  revert prior; induction items as [|[place p|place es] items IH]; intro prior; [reflexivity| |reflexivity].
+  revert prior; induction items as [|[place p|place d|place es] items IH]; intro prior; [reflexivity| | |reflexivity].
   cbn [map turned_item events_of way_of warnings motion_of]. destruct (way_of p) as [tip shift touch|nominal l by_delta
     by_radius|]; cbn [turned_way].
   - rewrite <- (IH None). replace (given (option_map turned_made prior)) with (given prior) by now destruct prior.
     reflexivity.
   - assert (F : following_of (map turned_item items) = turned_next (following_of items)).
-    { destruct items as [|[place' p'|place' es'] rest]; try reflexivity. cbn. now destruct (way_of p'). }
+    { destruct items as [|[place' p'|place' d'|place' es'] rest]; try reflexivity. cbn. now destruct (way_of p'). }
     rewrite F, turned_end. destruct (beside_end l prior (following_of items)) as [[beside made]| |]; try reflexivity.
     cbn [mapped fst snd]. rewrite <- (IH (Some (Some made))).
     replace (given (option_map turned_made prior)) with (given prior) by now destruct prior.
@@ -172,6 +172,7 @@ Proof.
     { intro k. destruct beside as [[x y] z]. unfold opposite, scale3; cbn. f_equal; [f_equal|]; ring. }
     now rewrite !E.
   - rewrite <- (IH None). reflexivity.
+  - cbn [map turned_item events_of]. f_equal. apply (IH None).
 Qed.
 
 Definition plain_motion : motion R :=

@@ -170,6 +170,12 @@ Proof.
   repeat (apply bound in H as (? & _ & H)). apply same in H. now injection H as <- _.
 Qed.
 
+Lemma assigned_unknown {num} {N : Numbers num} sets (st : klartext_state num) :
+  unknown_axes (assigned sets st) = unknown_axes st.
+Proof.
+  unfold assigned. revert st; induction sets as [|[p v] sets IH]; intro st; [reflexivity|]. cbn. now rewrite IH.
+Qed.
+
 (** heidenhain.program.unknown-position, heidenhain.program.retraction: positions of X, Y and Z alone are ever unknown, and
     nothing but a motion changes which. *)
 Theorem space_alone_is_unknown {num} {N : Numbers num} (s : klartext_setup num) b st st' p :
@@ -184,7 +190,7 @@ Proof.
   assert (A : unknown_axes (starts s b st) = unknown_axes st).
   { unfold starts. destruct (has_function 128 b), (has_function 107 b); reflexivity. }
   rewrite <- A in *. clear A. revert H U. generalize (starts s b st). clear st. intros st H U.
-  destruct (says b) as [| |tool axis given_deltas f|w|w normal tool_vector| | | |table row|table|number part shifts| | |];
+  destruct (says b) as [| |tool axis given_deltas f|w|w normal tool_vector| | | |table row|table|number part shifts sets| | | |];
     try (apply same in H; injection H as <- <-; auto; fail).
   - apply bound in H as (st2 & T & H). apply same in H. injection H as <- <-. unfold call_tool in T.
     apply bound in T as (? & _ & T). apply bound in T as (? & _ & T). apply same in T as <-. auto.
@@ -195,7 +201,7 @@ Proof.
     repeat (apply bound in H as (? & _ & H)). apply same in H. discriminate.
   - destruct table; apply same in H; injection H as <- <-; auto.
   - destruct table; apply same in H; injection H as <- <-; auto.
-  - apply same in H. injection H as <- <-. destruct (_ && _); auto.
+  - apply same in H. injection H as <- <-. rewrite assigned_unknown. destruct (_ && _); auto.
 Qed.
 
 Example space_alone_is_unknown_instance st p :

@@ -16,8 +16,8 @@
 namespace toolcomp::spec {
 namespace {
 
-constexpr int kMaxProgramDigits = 15;                        // one more raises PS0003
-constexpr int kDeepestMacro = 5;                             // brackets in brackets
+constexpr int kMaxProgramDigits = 15;  // one more raises PS0003
+constexpr std::uint64_t kMacroCall = 65;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // of UTF-8
 
 // What a byte may be where an address can stand.
@@ -59,6 +59,7 @@ constexpr std::array<Kind, 256> kKinds = [] {
 }();
 
 constexpr bool is_digit(int c) { return c >= '0' && c <= '9'; }
+constexpr bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 std::array<Address, 256> addresses(const Axes& axes) {
@@ -78,10 +79,22 @@ std::array<Address, 256> addresses(const Axes& axes) {
 BlockReader::BlockReader(std::unique_ptr<ByteSource> bytes, const Axes& axes, ReaderOptions options,
                          MacroVariables& variables, std::uint64_t first_line)
     : options_(std::move(options)), variables_(variables), address_(addresses(axes)) {
-  begin(std::move(bytes), first_line);
+  start(std::move(bytes), first_line);
 }
 
-void BlockReader::begin(std::unique_ptr<ByteSource> bytes, std::uint64_t first_line) {
+BlockReader::BlockReader(std::string_view text, const Axes& axes, ReaderOptions options, MacroVariables& variables,
+                         std::uint64_t first_line)
+    : options_(std::move(options)), variables_(variables), address_(addresses(axes)) {
+  begin(text, first_line);
+}
+
+void BlockReader::begin(std::string_view text, std::uint64_t first_line) {
+  start(text_source(text), first_line);
+  text_ = text;
+  text_begin_ = here();
+}
+
+void BlockReader::start(std::unique_ptr<ByteSource> bytes, std::uint64_t first_line) {
   source_ = std::move(bytes);
   position_ = end_ = buffer_.data();
   buffer_[0] = 0;
@@ -92,23 +105,30 @@ void BlockReader::begin(std::unique_ptr<ByteSource> bytes, std::uint64_t first_l
   letter_ = 0;
   jump_ = Jump::none;
   name_size_ = passed_size_ = 0;
+  text_ = {};
+  text_n_.reset();
+  numbers_.reset();
+  loops_ = {};
 }
 
 bool BlockReader::next(Block& block) {
   while (!done_)
-    if (read_block(block)) {
-      if (variables_.may_be_set()) variables_.follow(block);
-      return true;
-    }
+    if (read_block(block)) return true;
   return false;
 }
 
-bool BlockReader::find(std::uint64_t sequence_number, Block& block) {
-  while (!done_) {
+bool BlockReader::find(std::uint64_t sequence_number) {
+  Block block;
+  Place place;
+  const bool scanned = std::exchange(scanning_, true);
+  do {
+    place = here();
     read_block(block);
-    if (block.n == sequence_number) return true;
-  }
-  return false;
+  } while (!done_ && block.n != sequence_number);
+  scanning_ = scanned;
+  if (block.n != sequence_number) return false;
+  seek(place);
+  return true;
 }
 
 std::string BlockReader::take_rest() {
@@ -124,9 +144,11 @@ std::string BlockReader::take_rest() {
   return rest;
 }
 
-void BlockReader::go_on(std::unique_ptr<ByteSource> bytes) {
-  source_ = std::move(bytes);
+void BlockReader::go_on(std::string_view text) {
+  source_ = text_source(text);
   exhausted_ = false;
+  text_ = text;
+  text_begin_ = here();
 }
 
 std::uint32_t BlockReader::column_of(const char* at) const {
@@ -145,6 +167,21 @@ bool BlockReader::refill() {
   buffer_[static_cast<std::size_t>(end_ - buffer_.data())] = 0;
   if (exhausted_) return false;
   return position_ != end_ || refill();
+}
+
+std::string_view BlockReader::ahead() {
+  constexpr std::size_t kMost = 6;
+  std::size_t size = static_cast<std::size_t>(end_ - position_);
+  if (size < kMost && !exhausted_) {
+    consumed_ = offset();
+    std::copy(position_, end_, buffer_.data());
+    position_ = buffer_.data();
+    for (std::size_t more = 1; size < kMost && more != 0; size += more)
+      more = source_->read(buffer_.data() + size, kBufferSize - size);
+    end_ = position_ + size;
+    buffer_[size] = 0;
+  }
+  return {position_, std::min(size, kMost)};
 }
 
 void BlockReader::skip_byte_order_mark() {
@@ -277,8 +314,11 @@ bool BlockReader::read_word(Block& block, char letter) {
     block.n = value.digits;
     return true;
   }
-  if (letter == 'G')
+  if (letter == 'G') {
+    if (value.digits == kMacroCall && value.decimals == 0) return read_macro_call(block, start);
     if (const char* const what = code_not_supported(value)) return raise(block, start, AlarmCause::not_supported, what);
+    note_code(value);
+  }
   if (letter == 'L' && value.decimals == 0 && (value.digits == 3 || (value.digits >= 50 && value.digits <= 52)) &&
       std::ranges::any_of(block.words(), [](const Word& word) {
         return word.address == 'G' && word.value.decimals == 0 && word.value.digits == 10;
@@ -346,117 +386,6 @@ bool BlockReader::read_number(Block& block, const Address& admitted, std::uint32
   return true;
 }
 
-int BlockReader::next_of_macro() {
-  while (peek() == ' ' || peek() == '\t' || peek() == '\r') take();
-  return peek();
-}
-
-std::optional<std::uint64_t> BlockReader::macro_number() {
-  std::uint64_t number = 0;
-  int digits = 0;
-  for (int byte = next_of_macro(); is_digit(byte) && digits < 4; take(), byte = peek(), ++digits)
-    number = number * 10 + static_cast<std::uint64_t>(byte - '0');
-  if (digits == 0 || !MacroVariables::is_one(number)) return std::nullopt;
-  return number;
-}
-
-// fanuc.program.macro-variable: what it is worth; [ ] in [ ]; a number as it stands there.
-std::optional<Decimal> BlockReader::macro_operand(int depth) {
-  int byte = next_of_macro();
-  if (byte == '-' || byte == '+') {
-    take();
-    const auto operand = macro_operand(depth);
-    return operand && byte == '-' ? negated(*operand) : operand;
-  }
-  if (byte == '#') {
-    take();
-    const auto number = macro_number();
-    return number ? variables_.value(*number) : std::nullopt;
-  }
-  if (byte == '[') {
-    if (depth == 0) return std::nullopt;
-    take();
-    auto inner = macro_sum(depth - 1);
-    if (next_of_macro() != ']') return std::nullopt;
-    take();
-    return inner;
-  }
-  Decimal value;
-  int digits = 0;
-  for (; is_digit(byte) || (byte == '.' && !value.point); take(), byte = peek()) {
-    if (byte == '.') {
-      value.point = true;
-      continue;
-    }
-    if (++digits > kMaxProgramDigits) return std::nullopt;
-    value.digits = value.digits * 10 + static_cast<std::uint64_t>(byte - '0');
-    value.decimals = static_cast<std::uint8_t>(value.decimals + (value.point ? 1 : 0));
-  }
-  if (digits == 0) return std::nullopt;
-  return value;
-}
-
-std::optional<Decimal> BlockReader::macro_product(int depth) {
-  auto value = macro_operand(depth);
-  while (value && next_of_macro() == '*') {
-    take();
-    const auto factor = macro_operand(depth);
-    value = factor ? product(*value, *factor) : std::nullopt;
-  }
-  return value;
-}
-
-std::optional<Decimal> BlockReader::macro_sum(int depth) {
-  auto value = macro_product(depth);
-  for (int sign = next_of_macro(); value && (sign == '+' || sign == '-'); sign = next_of_macro()) {
-    take();
-    const auto summand = macro_product(depth);
-    value = summand ? sum(*value, sign == '-' ? negated(*summand) : *summand) : std::nullopt;
-  }
-  return value;
-}
-
-bool BlockReader::read_macro(Block& block, const Address& admitted, std::uint32_t start, Decimal& value) {
-  constexpr unsigned kDecimals = 3;  // of the least input increment that every setup has
-  const bool negative = value.negative;
-  const bool variable = peek() == '#';
-  const auto found = macro_operand(kDeepestMacro);
-  if (!found)
-    return raise(block, start, AlarmCause::not_supported,
-                 variable ? "# (a macro variable that has no number here) is not supported"
-                          : "[ (an expression of a macro other than + - * of variables and numbers) is not supported");
-  value = negative ? negated(*found) : *found;
-  for (; value.decimals > 0 && value.digits % 10 == 0; --value.decimals) value.digits /= 10;
-  if (value.decimals > (admitted.point ? kDecimals : 0) || (value.negative && !admitted.sign) ||
-      value.digits >= kPowersOfTen[kMaxProgramDigits])
-    return raise(block, start, AlarmCause::not_supported,
-                 "# (a macro variable whose number this address does not take) is not supported");
-  value.point = admitted.point;
-  return true;
-}
-
-bool BlockReader::read_assignment(Block& block) {
-  const std::uint32_t start = column();
-  const bool alone = block.size == 0 && variables_.may_be_set();
-  take();
-  const auto number = macro_number();
-  const bool assigns = next_of_macro() == '=';
-  std::optional<Decimal> value;
-  if (assigns) {
-    take();
-    value = macro_sum(kDeepestMacro);
-  }
-  const int end = next_of_macro();
-  if (!alone || !number || !value || (end != kEnd && end != '\n' && end != ';' && end != '('))
-    return raise(
-        block, start, AlarmCause::not_supported,
-        alone ? "# (a macro statement other than a variable set to + - * of variables and numbers) is not supported"
-              : "# (a macro variable set after the program has begun) is not supported");
-  started_ = true;
-  variables_.set(*number, *value);
-  return true;
-}
-
 // The place is at hand, not in the reader: what is written of a word would have to be waited for there.
 bool BlockReader::read_usual_words(Block& block) {
   const char* at = position_;
@@ -469,7 +398,10 @@ bool BlockReader::read_usual_words(Block& block) {
     const char* const end = read_usual(at + 1, admitted, value);
     if (end == nullptr) break;
     constexpr std::uint64_t kInUse = 4;  // G00 to G04 stand in most blocks
-    if (letter == 'G' && (value.digits > kInUse || value.decimals != 0) && code_not_supported(value) != nullptr) break;
+    if (letter == 'G' && (value.digits > kInUse || value.decimals != 0)) {
+      if (value.digits == kMacroCall || code_not_supported(value) != nullptr) break;
+      note_code(value);
+    }
     if (letter == 'N')
       block.n = value.digits;
     else
@@ -514,7 +446,8 @@ bool BlockReader::read_block(Block& block) {
   block.alarm.reset();
   jump_ = Jump::none;
   name_size_ = 0;
-  const auto content = [&block] { return block.size != 0 || block.alarm; };
+  has_variables_ = false;
+  const auto content = [this, &block] { return block.size != 0 || block.alarm || jump_ == Jump::macro; };
   while (!done_) {
     const int byte = peek();
     if (byte == kEnd) {
@@ -526,7 +459,11 @@ bool BlockReader::read_block(Block& block) {
         take();
         break;
       case Kind::letter:
-        if (!read_usual_words(block)) read_word(block, upper(*position_));
+        if (read_usual_words(block)) break;
+        if (const std::string_view next = ahead(); next.size() > 1 && is_letter(next[1]))
+          read_statement(block);
+        else
+          read_word(block, upper(*position_));
         break;
       case Kind::colon:
         read_word(block, 'O');
@@ -567,6 +504,10 @@ bool BlockReader::read_block(Block& block) {
       case Kind::bad:
         refuse(byte);
     }
+    if (jump_ == Jump::keep) [[unlikely]]
+      return true;
+    if (std::exchange(moved_, false)) [[unlikely]]
+      return content();
   }
   return content();
 }

@@ -98,6 +98,11 @@ std::vector<ProgramLibrary::Piece> pieces(std::string_view text, std::uint64_t f
 
 ProgramCall program_call(const Block& block, const BlockReader& reader) {
   ProgramCall call;
+  if (reader.jump() == BlockReader::Jump::macro) {
+    if (const std::uint64_t program = reader.macro_call().program; program != 0)
+      call.program = 'O' + std::to_string(program);
+    return call;
+  }
   const Decimal* const p = last(block, 'P');
   const Decimal* const l = last(block, 'L');
   std::uint64_t number = 0;
@@ -136,11 +141,12 @@ std::vector<ProgramLibrary::Piece> ProgramLibrary::keep(std::string text, const 
 
 void ProgramLibrary::join_called(std::string_view text) {
   MacroVariables variables;
-  BlockReader reader(text_source(text), axes_, options_, variables);
+  BlockReader reader(text, axes_, options_, variables);
+  reader.scan();
   Block block;
   try {
     while (reader.next(block))
-      if (reader.jump() == BlockReader::Jump::call && !block.alarm) join(program_call(block, reader).program);
+      if (reader.calls() && !block.alarm) join(program_call(block, reader).program);
   } catch (const InputError&) {  // NOLINT(bugprone-empty-catch): it is told where the text runs
   }
 }

@@ -18,22 +18,30 @@ constexpr std::size_t kMostCalls = 10;  // one inside the other
 
 struct ProgramReader::State {
   State(std::unique_ptr<ByteSource> source, Axes given, ReaderOptions reader_options)
-      : axes(std::move(given)), options(std::move(reader_options)), main(std::move(source), axes, options, variables) {}
+      : axes(std::move(given)), options(std::move(reader_options)), main(std::move(source), axes, options, variables) {
+    variables.inch = options.inch;
+  }
 
   // A program that is called and runs.
   struct Call {
     ProgramLibrary::Program program;
     std::unique_ptr<BlockReader> reader;
     std::uint64_t left;  // how often it runs again
+    bool macro = false;  // G65
     bool empty = true;   // no block of it has come
   };
 
+  // The next block, calls and jumps of macros followed.
+  bool next(Block& block);
   BlockReader& reader() { return calls.empty() ? main : *calls.back().reader; }
   // The next block in the order of the run.
   bool read(Block& block);
-  // Behind a block with M98 or M99; `block` gets the alarm where there is one.
+  // After a block with M98 or M99; `block` gets the alarm where there is one.
   void follow(Block& block);
-  void call(Block& block);
+  // The text from here on may be read again, or holds what is called; `program`: the one that is called first.
+  void keep(const std::string& program);
+  // M98, and G65, whose program has local variables of its own.
+  void call(Block& block, bool macro);
   void return_to(Block& block, const Word& sequence_number);
   // The end of a program, by M99 or by its text.
   void end_program();
@@ -47,16 +55,11 @@ struct ProgramReader::State {
   std::optional<ProgramLibrary> library;  // from the first call on
   std::vector<Call> calls;
   std::vector<std::unique_ptr<BlockReader>> spare;  // of calls that have ended: a reader is large
-  std::uint64_t called_blocks = 0;
-  std::optional<Block> found;  // by M99 P: it comes next
-  bool over = false;           // no block comes any more
+  std::uint64_t repeated_blocks = 0;                // of programs called, and after the first jump
+  bool over = false;                                // no block comes any more
 };
 
 bool ProgramReader::State::read(Block& block) {
-  if (found) {
-    block = *std::exchange(found, {});
-    return true;
-  }
   while (!reader().next(block)) {
     if (calls.empty()) return false;
     end_program();
@@ -71,13 +74,13 @@ void ProgramReader::State::begin(Call& call) {
     spare.pop_back();
   }
   if (call.reader)
-    call.reader->begin(text_source(call.program.text), call.program.line);
+    call.reader->begin(call.program.text, call.program.line);
   else
-    call.reader =
-        std::make_unique<BlockReader>(text_source(call.program.text), axes, options, variables, call.program.line);
+    call.reader = std::make_unique<BlockReader>(call.program.text, axes, options, variables, call.program.line);
 }
 
 void ProgramReader::State::end_call() {
+  if (calls.back().macro) variables.leave();
   spare.push_back(std::move(calls.back().reader));
   calls.pop_back();
 }
@@ -102,7 +105,7 @@ void ProgramReader::State::follow(Block& block) {
     block.alarm = ReadAlarm{AlarmCause::not_supported, block.size == 0 ? 1 : block.word[0].column, message};
   };
   if (reader().jump() == BlockReader::Jump::call) {
-    call(block);
+    call(block, false);
     return;
   }
   const Word* p = nullptr;
@@ -122,31 +125,38 @@ void ProgramReader::State::follow(Block& block) {
 
 // In the program that has called, from behind the call to its end.
 void ProgramReader::State::return_to(Block& block, const Word& sequence_number) {
-  Block target;
   const Decimal& number = sequence_number.value;
-  if (number.decimals != 0 || number.negative || !reader().find(number.digits, target))
+  if (number.decimals != 0 || number.negative || !reader().find(number.digits))
     block.alarm = ReadAlarm{AlarmCause::sequence_number_missing, sequence_number.column,
                             "M99 P: no block behind the call has this sequence number"};
-  else if (target.size != 0 || target.alarm)
-    found = target;
 }
 
-void ProgramReader::State::call(Block& block) {
+void ProgramReader::State::keep(const std::string& program) {
+  if (library) return;
+  library.emplace(axes, options);
+  const std::uint64_t line = main.line();
+  main.go_on(library->add(main.take_rest(), line, program));
+}
+
+void ProgramReader::State::call(Block& block, bool macro) {
   const ProgramCall wanted = program_call(block, reader());
-  const auto fault = [&block](AlarmCause cause, const char* message) {
-    block.alarm = ReadAlarm{cause, block.word[0].column, message};
+  const auto fault = [&block, macro](AlarmCause cause, const char* message) {
+    block.alarm = ReadAlarm{cause, macro ? 1 : block.word[0].column, message};
   };
-  if (!library) {
-    library.emplace(axes, options);
-    const std::uint64_t line = main.line();
-    main.go_on(text_source(library->add(main.take_rest(), line, wanted.program)));
-  }
+  keep(wanted.program);
   const std::optional<ProgramLibrary::Program> program = library->find(wanted.program);
-  if (wanted.program.empty()) return fault(AlarmCause::program_missing, "M98 without the number of a program");
-  if (!program) return fault(AlarmCause::program_missing, "M98: there is no program of this number");
+  if (!program && reader().has_variables())
+    return fault(AlarmCause::not_supported, "# (the number of a program that is not there) is not supported");
+  if (wanted.program.empty())
+    return fault(AlarmCause::program_missing,
+                 macro ? "G65 without the number of a program" : "M98 without the number of a program");
+  if (!program)
+    return fault(AlarmCause::program_missing,
+                 macro ? "G65: there is no program of this number" : "M98: there is no program of this number");
   if (calls.size() == kMostCalls)
     return fault(AlarmCause::calls_too_deep, "more than 10 programs called one inside the other");
-  begin(calls.emplace_back(Call{*program, {}, wanted.times - 1}));
+  if (macro) variables.call(reader().macro_call().arguments);
+  begin(calls.emplace_back(Call{*program, {}, wanted.times - 1, macro}));
 }
 
 ProgramReader::ProgramReader(std::unique_ptr<ByteSource> source, const Axes& axes, ReaderOptions options)
@@ -155,24 +165,39 @@ ProgramReader::~ProgramReader() = default;
 ProgramReader::ProgramReader(ProgramReader&&) noexcept = default;
 ProgramReader& ProgramReader::operator=(ProgramReader&&) noexcept = default;
 
+// A block of the text, or a statement that changes which one comes next.
+bool ProgramReader::State::next(Block& block) {
+  for (;;) {
+    if (calls.empty()) [[likely]] {
+      if (!main.next(block)) return false;
+    } else if (!read(block)) {
+      return false;
+    }
+    if (reader().jump() == BlockReader::Jump::keep) [[unlikely]]
+      keep({});
+    else if (reader().jump() != BlockReader::Jump::macro || block.alarm) [[likely]]
+      return true;
+    else if (call(block, true); block.alarm)
+      return true;
+  }
+}
+
 bool ProgramReader::next(Block& block) {
   State& state = *state_;
   if (state.over) [[unlikely]]
     return false;
   // An end, be it by an exception, is that of all programs.
   state.over = true;
-  if (state.calls.empty() && !state.found) [[likely]] {
-    if (!state.main.next(block)) return false;
-  } else if (!state.read(block)) {
-    return false;
-  }
+  if (!state.next(block)) return false;
   bool too_many = false;
-  if (!state.calls.empty()) [[unlikely]] {
-    state.calls.back().empty = false;
-    too_many = ++state.called_blocks > state.options.most_repeated;
+  const bool called = !state.calls.empty();
+  if (called || state.variables.jumps != 0) [[unlikely]] {
+    if (called) state.calls.back().empty = false;
+    too_many = ++state.repeated_blocks > state.options.most_repeated;
     if (too_many)
       block.alarm = ReadAlarm{AlarmCause::not_supported, 1,
-                              "M98 (more blocks of programs called than are followed) is not supported"};
+                              called ? "M98 (more blocks of programs called than are followed) is not supported"
+                                     : "GOTO (more blocks than are followed) is not supported"};
   }
   if (state.reader().jump() != BlockReader::Jump::none && !block.alarm) [[unlikely]]
     state.follow(block);
@@ -183,9 +208,10 @@ bool ProgramReader::next(Block& block) {
 std::string joined_program(std::string_view text, const Axes& axes, const ReaderOptions& options) {
   MacroVariables variables;
   BlockReader reader(text_source(text), axes, options, variables);
+  reader.scan();
   Block block;
   while (reader.next(block))
-    if (reader.jump() == BlockReader::Jump::call && !block.alarm) {
+    if (reader.calls() && !block.alarm) {
       ProgramLibrary library(axes, options);
       const std::uint64_t line = reader.line();
       std::string rest = reader.take_rest();

@@ -91,6 +91,13 @@ std::string tool_call(const Block& block) {
   return text;
 }
 
+std::string cycle_values(const Block& block) {
+  std::string text;
+  for (const Assignment& assignment : block.cycle_values)
+    text += ' ' + to_string(Value{{}, assignment.target}) + '=' + to_string(assignment.value);
+  return text;
+}
+
 std::string correction_text(CorrectionTable table) {
   return table == CorrectionTable::tcs ? " TCS" : table == CorrectionTable::wpl ? " WPL" : "";
 }
@@ -129,7 +136,8 @@ std::string statement(const Block& block) {
     case Statement::reset_corrections:
       return "FUNCTION CORRDATA RESET" + correction_text(block.corrections);
     case Statement::cycle:
-      return "CYCL DEF " + std::to_string(block.cycle) + '.' + std::to_string(block.cycle_part) + axis_words(block);
+      return "CYCL DEF " + std::to_string(block.cycle) + '.' + std::to_string(block.cycle_part) + axis_words(block) +
+             cycle_values(block);
     case Statement::plane:
       return "PLANE RESET STAY";
     case Statement::label:
@@ -146,6 +154,7 @@ std::string statement(const Block& block) {
     case Statement::stop:
       return "STOP" + function_words(block);
     case Statement::miscellaneous:
+      if (block.calls_cycle && !block.has_function(99)) return "CYCL CALL" + function_words(block);
       return block.functions == 0 ? "" : function_words(block).substr(1);
   }
   return "";

@@ -2,12 +2,14 @@
 // One logical block of a Klartext program: a statement with its words, exact decimals, and no meaning.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "spec/language/decimal.h"
 #include "spec/language/name.h"
@@ -30,7 +32,7 @@ enum class Statement : std::uint8_t {
   select_corrections,  // SEL CORR-TABLE: corrections
   correction_row,      // FUNCTION CORRDATA TCS|WPL #n: corrections, row
   reset_corrections,   // FUNCTION CORRDATA RESET: corrections
-  cycle,               // CYCL DEF: cycle, cycle_part; of cycle 7 the axis words
+  cycle,               // CYCL DEF: cycle, cycle_part; of cycle 7 the axis words, of drilling cycles the values
   plane,               // PLANE RESET, PLANE SPATIAL
   label,               // LBL: label, jumps
   call_label,          // CALL LBL: label, repeats, jumps
@@ -38,7 +40,7 @@ enum class Statement : std::uint8_t {
   program_return,      // END PGM of a program that was called
   assignment,          // Q1 = …, FN 0: Q1 = …: target, value
   stop,                // STOP: M functions
-  miscellaneous,       // M functions alone
+  miscellaneous,       // M functions alone; CYCL CALL
   without_effect,      // SEL TABLE, FUNCTION MODE MILL, PRESET SELECT, …
 };
 
@@ -50,12 +52,24 @@ struct Parameter {
 };
 inline constexpr std::uint16_t kMostQ = 1999;
 inline constexpr std::uint16_t kMostLocal = 499;
+// What a call of a drilling cycle takes (heidenhain.program.cycle-call).
+inline constexpr Parameter kSetUpClearance{ParameterKind::q, 200};
+inline constexpr Parameter kDepth{ParameterKind::q, 201};
+inline constexpr Parameter kSurface{ParameterKind::q, 203};
+inline constexpr Parameter kSecondClearance{ParameterKind::q, 204};
 
 // A literal, or a parameter with its sign (number.negative; the other members of number are then 0).
 struct Value {
   Decimal number;
   Parameter parameter;
   friend bool operator==(const Value&, const Value&) = default;
+};
+
+// Q200 = +2
+struct Assignment {
+  Parameter target;
+  Value value;
+  friend bool operator==(const Assignment&, const Assignment&) = default;
 };
 
 // The letters of axis words, in the order of the slots.
@@ -111,6 +125,9 @@ struct Block {
   std::uint8_t functions = 0;
   std::array<std::uint16_t, kMostFunctions> function{};
 
+  // L, M alone: M99 or CYCL CALL, of the drilling cycle defined last
+  bool calls_cycle = false;
+
   // L: M140, in a block without axis words
   Retraction retraction = Retraction::none;
   Value retraction_by;
@@ -130,6 +147,7 @@ struct Block {
   std::uint32_t row = 0;                                // CORRDATA #n
   std::uint32_t cycle = 0;                              // CYCL DEF 7.1: 7 …
   std::uint32_t cycle_part = 0;                         // … and 1
+  std::vector<Assignment> cycle_values;                 // CYCL DEF of a drilling cycle, in the order written
   Parameter target;                                     // Q1 = value
   Value value;
 
@@ -139,6 +157,10 @@ struct Block {
   bool jumps = false;         // LBL, CALL LBL: the next block is not the one behind it
   Name program;               // CALL PGM, BEGIN PGM, END PGM: the name as written, without quotes
 
+  [[nodiscard]] bool departs_from_contour() const { return statement == Statement::line && departs; }
+  [[nodiscard]] bool has_function(std::uint16_t number) const {
+    return std::find(function.begin(), function.begin() + functions, number) != function.begin() + functions;
+  }
   [[nodiscard]] bool has_axis(std::size_t slot) const { return (axes >> slot & 1U) != 0; }
   [[nodiscard]] bool is_incremental(std::size_t slot) const { return (incremental >> slot & 1U) != 0; }
 };

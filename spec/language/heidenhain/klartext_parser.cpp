@@ -115,6 +115,8 @@ BlockParser::Head BlockParser::parse_head(Block& block, const BlockText& text) {
   text_ = text;
   passed_over_ = false;
   fifth_function_ = nullptr;
+  begins_in_tcpm_ = tcpm_;
+  block.calls_cycle = false;
   block.line = text.line;
   block.n.reset();
   block.alarm.reset();
@@ -166,6 +168,8 @@ bool BlockParser::parse_statement(Block& block, const char* at) {
     line(block, at);
   else
     rare_statement(block, at);
+  if (block.calls_cycle && !block.alarm)
+    if (const char* const beyond = call_beyond(block)) refuse(block, call_at_, beyond);
   if (unknown_ && !block.alarm && takes_unknown(block))
     raise(block, at, AlarmCause::not_supported, "Q (set by FN 18) is not supported");
   first_ = false;

@@ -109,6 +109,10 @@ class BlockParser {
   const char* select_corrections(Block& block, const char* at);
   const char* cycle(Block& block, const char* at);
   const char* path_cycle(Block& block, const char* at);
+  const char* drilling_cycle(Block& block, const char* at);
+  const char* cycle_call(Block& block, const char* at);
+  // What keeps the call of a cycle in the block at hand from being followed: a static text, or nothing.
+  [[nodiscard]] const char* call_beyond(const Block& block) const;
   const char* datum_shift(Block& block, const char* at);
   const char* transformation(Block& block, const char* at);
   const char* preset(Block& block, const char* at);
@@ -140,15 +144,18 @@ class BlockParser {
   bool ended_ = false;
   Name program_name_;
   Units units_;
-  bool turned_ = false;   // a rotary axis was sent elsewhere than to 0
-  unsigned renamed_ = 0;  // by slot: M94 may have taken whole turns from the position of this axis
-  bool tcpm_ = false;     // TCPM is on
-  bool beside_ = false;   // RL or RR
-  bool lateral_ = false;  // and TCPM has been on since
+  bool turned_ = false;          // a rotary axis was sent elsewhere than to 0
+  unsigned renamed_ = 0;         // by slot: M94 may have taken whole turns from the position of this axis
+  bool tcpm_ = false;            // TCPM is on
+  bool begins_in_tcpm_ = false;  // it was before the block at hand
+  bool beside_ = false;          // RL or RR
+  bool lateral_ = false;         // and TCPM has been on since
   ParameterValues parameters_;
   bool unknown_ = false;         // one of them has no value here
+  std::uint32_t to_call_ = 0;    // the machining cycle defined last
   std::optional<Value> preset_;  // the number selected first
   // Words of the block at hand that are at fault if no other is.
+  const char* call_at_ = nullptr;  // M99, CYCL CALL
   const char* fifth_function_ = nullptr;
   const char* out_of_order_ = nullptr;
   const char* out_of_range_ = nullptr;

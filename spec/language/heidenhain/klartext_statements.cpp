@@ -17,6 +17,22 @@ constexpr std::size_t kLongestName = 32;
 
 bool is_zero(const Value& value) { return value.parameter.kind == ParameterKind::none && value.number.digits == 0; }
 
+constexpr std::uint32_t kCentering = 240;
+constexpr Parameter kByDiameter{ParameterKind::q, 343};  // 1: Q344 says how deep it goes, and the angle of the tool
+
+// Cycles that drill one hole where the axes stand (heidenhain.program.drilling-cycle).
+bool is_drilling_cycle(std::uint32_t cycle) {
+  constexpr auto kDrilling = std::to_array<std::uint32_t>({200, 201, 202, 203, 205, 206, 207, 209, kCentering, 241});
+  return std::ranges::find(kDrilling, cycle) != kDrilling.end();
+}
+
+// Cycles that nobody calls.
+bool acts_where_defined(std::uint32_t cycle) {
+  constexpr auto kAct =
+      std::to_array<std::uint32_t>({7, 8, 9, 10, 11, 13, 14, 19, 20, 26, 32, 220, 221, 247, 270, 271});
+  return std::ranges::find(kAct, cycle) != kAct.end();
+}
+
 // X, Y or Z alone.
 char axis_letter(const char* at) {
   const char letter = upper(*at);
@@ -199,7 +215,6 @@ const char* BlockParser::tool_name(Block& block, const char* at) {
 
 const char* BlockParser::tool_call(Block& block, const char* at) {
   block.statement = Statement::tool_call;
-  beside_ = false;
   block.feed = FeedWord::none;
   block.dl.reset();
   block.dr.reset();
@@ -207,6 +222,7 @@ const char* BlockParser::tool_call(Block& block, const char* at) {
   bool speed = false;
   at = tool_name(block, at);
   if (at == nullptr) return nullptr;
+  if (block.tool != ToolWord::none) beside_ = false;
   block.tool_axis = axis_letter(at);
   if (block.tool_axis != '\0') at = gap(at + 1);
   while (at != nullptr && at != text_.stop) {
@@ -373,10 +389,15 @@ const char* BlockParser::correction_row(Block& block, const char* at) {
 }
 
 const char* BlockParser::cycle(Block& block, const char* at) {
+  if (const char* const call = words(at, "CYCL", "CALL")) {
+    call_at_ = at;
+    return cycle_call(block, call);
+  }
   const char* const definition = words(at, "CYCL", "DEF");
   if (definition == nullptr) return refuse_by_name(block, at);
   block.statement = Statement::cycle;
   block.axes = block.incremental = 0;
+  block.cycle_values.clear();
   std::uint64_t number = 0;
   std::uint64_t part = 0;
   at = read_integer(definition, kMostRow, number);
@@ -384,7 +405,61 @@ const char* BlockParser::cycle(Block& block, const char* at) {
   if (at == nullptr || !at_word_end(at)) return bad_word(block, definition);
   block.cycle = static_cast<std::uint32_t>(number);
   block.cycle_part = static_cast<std::uint32_t>(part);
+  if (is_drilling_cycle(block.cycle)) return drilling_cycle(block, gap(at));
+  if (!acts_where_defined(block.cycle)) to_call_ = block.cycle;
   return number == 7 && part != 0 ? datum_shift(block, gap(at)) : path_cycle(block, gap(at));
+}
+
+// Q200=+2 …: its parameters have these values from here on.
+const char* BlockParser::drilling_cycle(Block& block, const char* at) {
+  to_call_ = block.cycle;
+  while (at != text_.stop && (upper(*at) != 'Q' || !is_digit(at[1]))) at = gap(word_end(at));  // its name
+  while (at != text_.stop) {
+    const char* const word = at;
+    Assignment& assignment = block.cycle_values.emplace_back();
+    at = read_parameter(at, assignment.target);
+    if (at == nullptr || *at != '=' || assignment.target.kind != ParameterKind::q) return bad_word(block, word);
+    at = keyed_value(block, word, static_cast<std::size_t>(at + 1 - word), assignment.value);
+    if (at == nullptr) return nullptr;
+    parameters_.set(assignment.target, parameters_.value(assignment.value));
+  }
+  return at;
+}
+
+const char* BlockParser::cycle_call(Block& block, const char* at) {
+  for (const std::string_view form : {"POS", "PAT"})
+    if (read_word(at, form) != nullptr) return refuse(block, at, "CYCL CALL (POS, PAT) is not supported");
+  block.functions = 0;
+  block.calls_cycle = true;
+  return functions(block, at);
+}
+
+const char* BlockParser::call_beyond(const Block& block) const {
+  const bool by_function = block.has_function(99);
+  const auto either = [by_function](const char* function, const char* statement) {
+    return by_function ? function : statement;
+  };
+  const bool plain = block.statement == Statement::miscellaneous ||
+                     (block.statement == Statement::line && !block.departs && block.retraction == Retraction::none);
+  if (!plain) return "M99 (cycle call, in a block other than L and M functions) is not supported";
+  if (!is_drilling_cycle(to_call_))
+    return either("M99 (cycle call, of another cycle than a drilling cycle) is not supported",
+                  "CYCL CALL (of another cycle than a drilling cycle) is not supported");
+  if (beside_ || tcpm_ || begins_in_tcpm_)
+    return either("M99 (cycle call, under RL, RR or TCPM) is not supported",
+                  "CYCL CALL (under RL, RR or TCPM) is not supported");
+  if (to_call_ == kCentering && !is_zero({parameters_.value(kByDiameter).value_or(Decimal{.digits = 1}), {}}))
+    return either("M99 (cycle call, of cycle 240 by a diameter) is not supported",
+                  "CYCL CALL (of cycle 240 by a diameter) is not supported");
+  std::array<std::optional<Decimal>, 4> values;
+  std::ranges::transform(std::array{kDepth, kSetUpClearance, kSurface, kSecondClearance}, values.begin(),
+                         [this](const Parameter& parameter) { return parameters_.value(parameter); });
+  if (!std::ranges::all_of(values, [](const auto& value) { return value.has_value(); }))
+    return "Q (set by FN 18) is not supported";
+  if (!values[0]->negative && values[0]->digits != 0)
+    return either("M99 (cycle call, with a depth above the surface) is not supported",
+                  "CYCL CALL (with a depth above the surface) is not supported");
+  return nullptr;
 }
 
 const char* BlockParser::datum_shift(Block& block, const char* at) {

@@ -27,7 +27,6 @@ constexpr auto kStatements = std::to_array<Named>({
     {"CR", "", "CR (circle by its radius) is not supported"},
     {"CT", "", "CT (tangential circle) is not supported"},
     {"CTP", "", "CTP (tangential circle, polar coordinates) is not supported"},
-    {"CYCL", "CALL", "CYCL CALL (machining cycles) is not supported"},
     {"DECLARE", "STRING", "DECLARE STRING (string parameters) is not supported"},
     {"DEP", "", "DEP (departure from a contour) is not supported"},
     {"FC", "", "FC (free contour) is not supported"},
@@ -92,11 +91,6 @@ constexpr auto kFunctions = std::to_array<Numbered>({
     {38, "FN 38 (send) is not supported"},
 });
 
-// M functions that move something by themselves: the run ends there.
-constexpr auto kMoving = std::to_array<Numbered>({
-    {89, "M89 (cycle call) is not supported"},
-    {99, "M99 (cycle call) is not supported"},
-});
 // Those after which positions are not known.
 constexpr auto kNotJudged = std::to_array<Numbered>({
     {114, "M114 (compensation of the machine geometry) is not judged"},
@@ -144,13 +138,6 @@ bool is_one_literal(const char* at, std::string_view key, std::uint64_t value, c
   behind = read_number(at, number);
   return behind != nullptr && at_word_end(behind) && number.digits == value * kPowersOfTen[number.decimals] &&
          (!number.negative || value == 0);
-}
-
-// Behind the word, or behind a ~ that joins no lines.
-const char* word_end(const char* at) {
-  if (*at == '~') return at + 1;
-  while (!at_word_end(at)) ++at;
-  return at;
 }
 
 }  // namespace
@@ -274,7 +261,11 @@ const char* BlockParser::retraction(Block& block, const char* at, const char* fu
 }
 
 const char* BlockParser::words_of_function(Block& block, const char* at, std::uint64_t number, const char* function) {
-  if (const char* const message = message_of(kMoving, number)) return refuse(block, function, message);
+  if (number == 89) return refuse(block, function, "M89 (cycle call after every block) is not supported");
+  if (number == 99) {
+    block.calls_cycle = true;
+    call_at_ = function;
+  }
   if (const char* const message = not_judged(number)) return raise(block, function, AlarmCause::not_judged, message);
   if (number == 94) renamed_ = ~0U;
   if (number == 128 || number == 129) tcpm_ = number == 128;
@@ -362,6 +353,7 @@ const char* BlockParser::transformation(Block& block, const char* at) {
   block.cycle = 7;
   block.cycle_part = 1;
   block.axes = block.incremental = 0;
+  block.cycle_values.clear();
   if (const char* const axes = words(at, "AXIS")) return datum_shift(block, axes);
   if (const char* const reset = words(at, "RESET")) {
     for (const char letter : std::string_view("XYZUVW")) {

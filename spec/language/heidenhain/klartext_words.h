@@ -116,6 +116,13 @@ inline const char* read_parameter(const char* at, Parameter& parameter) {
   return end;
 }
 
+// Behind the word, or behind a ~ that joins no lines.
+inline const char* word_end(const char* at) {
+  if (*at == '~') return at + 1;
+  while (!at_word_end(at)) ++at;
+  return at;
+}
+
 // A number, or a parameter with or without sign; blanks may stand before it and behind its sign.
 inline const char* read_value(const char* at, Value& value) {
   if (const char* const end = read_number(at, value.number)) [[likely]] {

@@ -23,9 +23,10 @@ namespace toolcomp::corpus::space {
 //   at         programmed end point                      A, B, C    rotary axes (one number)
 //   feed       (one number)                              flat       the contact is on the axis (no number)
 //   X, Y, Z    of axes (one number)                      unknown    others of them are not known (no number)
-// Figures that are left out are not looked at, but contact, flat, unknown, angle, carrier and feed are in a row exactly
-// where the event has them. The model's decimals are those of the row, every one; the fast engine's are near. "4
-// W_DIGITS" is a warning or an alarm, "5 OUT_OF_SCOPE" a block that is not modelled.
+// "3 hole r=2 bottom=-5 return=50 axes=1,2,50 X=1 Y=2" is a hole of line 3, with all of these figures: X, Y and Z are
+// then those of its position. Figures that are left out are not looked at, but contact, flat, unknown, angle, carrier
+// and feed are in a row exactly where the event has them. The model's decimals are those of the row, every one; the
+// fast engine's are near. "4 W_DIGITS" is a warning or an alarm, "5 OUT_OF_SCOPE" a block that is not modelled.
 using worked::Rows;
 
 template <class Number>
@@ -54,6 +55,14 @@ Figures<Number> figures(const spec::Event<Number>& event, const std::string& nam
   if (name == "at") return linear(event.programmed, axes);
   if (name == "tip") return linear(event.point, axes);
   if (name == "axes") return linear(event.axes, axes);
+  if (event.hole) {
+    if (name == "r") return std::vector<Number>{event.hole->point_r};
+    if (name == "bottom") return std::vector<Number>{event.hole->bottom};
+    if (name == "return") return std::vector<Number>{event.hole->level};
+    if (name.size() == 1 && axes.has(name[0]) && event.point.has(axes.index(name[0])))
+      return std::vector<Number>{event.point[axes.index(name[0])]};
+    return std::nullopt;
+  }
   if (name == "feed") return one(event.feed);
   if (name == "axis") return event.tool_axis ? list(*event.tool_axis) : std::nullopt;
   if (name.size() == 1 && axes.has(name[0]) && event.axes.has(axes.index(name[0])))
@@ -80,6 +89,7 @@ std::string head(const spec::Event<Number>& event) {
     return line + (event.out_of_scope ? "OUT_OF_SCOPE" : std::string(event.number.view()));
   if (event.kind != spec::EventKind::alarm && spec::ends_run(event.kind))
     return line + std::string(spec::name(event.kind)) + ' ' + std::string(event.number.view());
+  if (event.kind == spec::EventKind::hole) return line + "hole";
   if (event.kind != spec::EventKind::move) return line + std::string(event.number.view());
   const std::string rapid = event.type == spec::MoveType::rapid ? "rapid " : "";
   switch (event.cause) {
@@ -124,6 +134,10 @@ void expect_move(const spec::Event<Number>& event, const std::vector<std::string
     ASSERT_EQ(actual->size(), expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i) expect_figure((*actual)[i], expected[i]);
   }
+  if (event.hole) {
+    for (const char* name : {"r", "bottom", "return", "axes", "X", "Y", "Z"})
+      EXPECT_EQ(figures(event, name, axes).has_value(), std::ranges::find(named, name) != named.end()) << name;
+  }
   for (const char* name : {"contact", "flat", "angle", "carrier", "feed", "unknown", "A", "B", "C"})
     EXPECT_EQ(figures(event, name, axes).has_value(), std::ranges::find(named, name) != named.end()) << name;
 }
@@ -135,7 +149,7 @@ void expect_events(const std::vector<spec::Event<Number>>& events, const Rows& r
     SCOPED_TRACE(rows[n]);
     const std::string expected = head(events[n]);
     EXPECT_EQ(rows[n].substr(0, expected.size()), expected);
-    if (events[n].kind == spec::EventKind::move) expect_move(events[n], rows::tokens(rows[n]), axes);
+    if (events[n].kind == spec::EventKind::move || events[n].hole) expect_move(events[n], rows::tokens(rows[n]), axes);
   }
 }
 

@@ -183,7 +183,7 @@ TEST(ProgramCalls, FilesWithoutTheHeadOfTheirProgram) {
 
 TEST(ProgramCalls, AProgramThatCallsNoneStaysAsItIs) {
   const Files files{{"O2", "O2\nX1\n"}};
-  for (const std::string text : {"X1\n(M98 P2)", "G65 P2\n", "M99\n", "M98 P-\n"})
+  for (const std::string text : {"X1\n(M98 P2)", "G66 P2\n", "M99\n", "M98 P-\n"})
     EXPECT_EQ(joined_program(text, Axes("XYZ"), options(files)), text);
   EXPECT_EQ(joined_program("M98 P3", Axes("XYZ"), options(files)), "M98 P3");
 }

@@ -37,7 +37,7 @@ TEST(KlartextUnsupported, StatementsSayTheirName) {
   EXPECT_EQ(said("chf 2\n"), "1:1 CHF (chamfer) is not supported");
   EXPECT_EQ(said("L X1\n  APPR LCT X+5 Y+5 R2\n"), "2:3 APPR (approach of a contour) is not supported");
   EXPECT_EQ(said("LP PR+10 PA+30\n"), "1:1 LP (polar coordinates) is not supported");
-  EXPECT_EQ(said("CYCL CALL M3\n"), "1:1 CYCL CALL (machining cycles) is not supported");
+  EXPECT_EQ(said("CYCL CALL M3\n"), "1:1 CYCL CALL (of another cycle than a drilling cycle) is not supported");
   EXPECT_EQ(said("PLANE RELATIV SPB45 TURN\n"), "1:1 PLANE RELATIV (tilted working plane) is not judged");
   EXPECT_EQ(said("FUNCTION MODE TURN\n"), "1:1 FUNCTION MODE (other than MILL) is not supported");
   EXPECT_EQ(said("TRANS MIRROR AXIS X\n"), "1:1 TRANS MIRROR is not supported");
@@ -115,8 +115,24 @@ TEST(KlartextUnsupported, MFunctions) {
   EXPECT_EQ(said("L M140\n"), "E_SYNTAX@1:7");
   EXPECT_EQ(said("L M140 MB\n"), "E_SYNTAX@1:8");
   EXPECT_EQ(said("L M140 MB MIN\n"), "E_SYNTAX@1:8");
-  EXPECT_EQ(said("L X1 M3 M99\n"), "1:9 M99 (cycle call) is not supported");
-  EXPECT_EQ(said("M89\n"), "1:1 M89 (cycle call) is not supported");
+  EXPECT_EQ(said("L X1 M3 M99\n"), "1:9 M99 (cycle call, of another cycle than a drilling cycle) is not supported");
+  EXPECT_EQ(said("M89\n"), "1:1 M89 (cycle call after every block) is not supported");
+  const std::string cycle = "CYCL DEF 200 DRILLING Q200=2 Q201=-5\n";
+  EXPECT_EQ(said(cycle + "L X1 M99\n"), "read");
+  EXPECT_EQ(said(cycle + "CYCL CALL M3\n"), "read");
+  EXPECT_EQ(said(cycle + "CYCL DEF 32.0 TOLERANCE\nM99\n"), "read") << "a cycle that nobody calls";
+  EXPECT_EQ(said(cycle + "CYCL DEF 251 POCKET Q201=-5\nM99\n"),
+            "3:1 M99 (cycle call, of another cycle than a drilling cycle) is not supported");
+  EXPECT_EQ(said(cycle + "L X1 RL M99\n"), "2:9 M99 (cycle call, under RL, RR or TCPM) is not supported");
+  EXPECT_EQ(said("M128\n" + cycle + "CYCL CALL\n"), "3:1 CYCL CALL (under RL, RR or TCPM) is not supported");
+  EXPECT_EQ(said("M128\n" + cycle + "L X1 M129 M99\n"), "3:11 M99 (cycle call, under RL, RR or TCPM) is not supported");
+  EXPECT_EQ(said(cycle + "Q201 = 5\nCYCL CALL\n"), "3:1 CYCL CALL (with a depth above the surface) is not supported");
+  EXPECT_EQ(said(cycle + "CYCL CALL PAT FMAX\n"), "2:11 CYCL CALL (POS, PAT) is not supported");
+  EXPECT_EQ(said("CYCL DEF 240 CENTERING Q343=1 Q201=-5\nM99\n"),
+            "2:1 M99 (cycle call, of cycle 240 by a diameter) is not supported");
+  EXPECT_EQ(said(cycle + "LN X1 Y1 Z1 NX0 NY0 NZ1 M99\n"),
+            "2:29 M99 (cycle call, in a block other than L and M functions) is not supported");
+  EXPECT_EQ(said("CYCL DEF 200 Q200=\n"), "E_SYNTAX@1:14");
   EXPECT_EQ(said("L X1 M144\n"), "1:6 M144 (compensation of the kinematics) is not judged");
   EXPECT_EQ(said("M114\n"), "1:1 M114 (compensation of the machine geometry) is not judged");
   EXPECT_EQ(said("M124 T0.1\n"), "1:1 M124 (points that are left out) is not judged");
