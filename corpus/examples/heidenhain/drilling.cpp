@@ -43,9 +43,9 @@ constexpr Example kDrilling[] = {
      CYCLE_200 "TOOL CALL 1 Z\nL X1 RL\nDEP LT LEN5\nL Z9 R0\nL X3 M99\n",
      "3 OUT_OF_SCOPE\n4 OUT_OF_SCOPE\n5 programmed Z=9 unknown\n6 not_judged an unknown position\n"},
     {"A block of peripheral milling goes out as before a motion under R0; the move after the hole is no cancel.",
-     TOOL_1(BALL_6), CYCLE_200 "TOOL CALL 1 Z\nM128\nL X0 Y0 Z0\nL X10 RL\nM129\nL R0\nCYCL CALL\nL X20\n",
-     "4 programmed tip=0,0,0\n5 start-up tip=10,3,0\n8 hole X=10 Y=0 r=3 bottom=-14 return=51 axes=10,0,51\n"
-     "9 programmed tip=20,0,51\n"},
+     TOOL_1(REWORKED), CYCLE_200 "TOOL CALL 1 Z\nM128\nL X0 Y0 Z0\nL X10 RL\nL X20\nM129\nL R0\nCYCL CALL\nL X30\n",
+     "4 programmed tip=0,0,0\n5 start-up tip=10,-0.1,0\n6 programmed tip=20,-0.1,0\n"
+     "9 hole X=20 Y=0 r=3 bottom=-14 return=51 axes=20,0,51\n10 programmed tip=30,0,51\n"},
     {"Inches: parameters of the cycle are lengths of the program.", HEIDENHAIN "units = \"inch\"\n" TOOL("1", REWORKED),
      "CYCL DEF 200 Q200=0.1 Q201=-0.5 Q203=0 Q204=2\nL X1 M99\n",
      "2 programmed tip=1,0,0\n2 hole X=1 Y=0 r=0.1 bottom=-0.5 return=2 axes=1,0,2\n"},
