@@ -13,8 +13,9 @@
 
 namespace toolcomp::spec {
 
-// Reads blocks one by one in the order in which they run, M98 and M99 followed. In constant memory, whatever the length
-// of a line, up to the first M98; from there on the rest of the text is kept. Reading rules: README.md of this folder.
+// Reads blocks one by one in the order in which they run: M98, M99 and custom macros are followed. In constant memory,
+// whatever the length of a line, up to the first M98 or macro statement; from there on the rest of the text is kept.
+// Reading rules: README.md of this folder.
 class ProgramReader {
  public:
   ProgramReader(std::unique_ptr<ByteSource> source, const Axes& axes, ReaderOptions options = {});
@@ -24,7 +25,7 @@ class ProgramReader {
 
   // The next block with at least one word (or an alarm) into `block`; false at the end of the text or at the `%` that
   // ends it, behind M99 of the main program, and after too many blocks of programs called. Throws InputError for bytes
-  // that are no text. Allocates where a program is called, else not.
+  // that are no text. Allocates where a program is called or a macro statement stands, else not.
   bool next(Block& block);
 
  private:

@@ -36,7 +36,6 @@ const std::map<std::string, NotSupported> kNotSupported = {
     {"mirror_image", {"G51.1", "G51.1 (programmable mirror image) is not supported"}},
     {"nx_probing_macro", {"G65", "G65 (macro call) is not supported"}},
     {"nx_tilted_plane", {"G68.2", "G68.2 (tilted working plane) is not supported"}},
-    {"siemens_nx_variables", {"#101", "# (a macro variable set after the program has begun) is not supported"}},
 };
 
 // The first block of which something is not supported.

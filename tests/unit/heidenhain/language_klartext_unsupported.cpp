@@ -131,7 +131,7 @@ TEST(KlartextUnsupported, MFunctions) {
   EXPECT_EQ(said("CYCL DEF 240 CENTERING Q343=1 Q201=-5\nM99\n"),
             "2:1 M99 (cycle call, of cycle 240 by a diameter) is not supported");
   EXPECT_EQ(said(cycle + "LN X1 Y1 Z1 NX0 NY0 NZ1 M99\n"),
-            "2:29 M99 (cycle call, in a block other than L and M functions) is not supported");
+            "2:25 M99 (cycle call, in a block other than L and M functions) is not supported");
   EXPECT_EQ(said("CYCL DEF 200 Q200=\n"), "E_SYNTAX@1:14");
   EXPECT_EQ(said("L X1 M144\n"), "1:6 M144 (compensation of the kinematics) is not judged");
   EXPECT_EQ(said("M114\n"), "1:1 M114 (compensation of the machine geometry) is not judged");
