@@ -399,7 +399,7 @@ bool BlockReader::read_usual_words(Block& block) {
     if (end == nullptr) break;
     constexpr std::uint64_t kInUse = 4;  // G00 to G04 stand in most blocks
     if (letter == 'G' && (value.digits > kInUse || value.decimals != 0)) {
-      if (value.digits == kMacroCall || code_not_supported(value) != nullptr) break;
+      if (code_not_supported(value) != nullptr) break;
       note_code(value);
     }
     if (letter == 'N')

@@ -37,6 +37,7 @@ class BlockReader {
   enum class Jump : std::uint8_t { none, call, back, macro, keep };
   // Of G65.
   struct MacroCall {
+    std::uint32_t column = 1;
     std::uint64_t program = 0;
     MacroVariables::Values arguments;
   };

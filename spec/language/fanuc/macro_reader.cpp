@@ -342,6 +342,7 @@ bool BlockReader::read_end(Block& block, std::uint32_t start) {
 bool BlockReader::read_macro_call(Block& block, std::uint32_t start) {
   if (block.size != 0) return not_followed(block, start, "G65 (behind other words) is not supported");
   macro_call_ = {};
+  macro_call_.column = start;
   while (!ends_statement() || peek() == '(') {
     if (peek() == '(') {
       skip_comment();

@@ -58,6 +58,7 @@ constexpr std::array kCodes{
     Code{542, "G54.2 (rotary table dynamic fixture offset) is not supported"},
     Code{544, "G54.4 (workpiece setting error compensation) is not supported"},
     Code{600, "G60 (single direction positioning) is not supported"},
+    Code{650, kMacroOfNoProgram},
     Code{660, "G66 (modal macro call) is not supported"},
     Code{661, "G66.1 (modal macro call) is not supported"},
     Code{680, "G68 (coordinate system rotation) is not supported"},

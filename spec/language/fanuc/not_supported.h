@@ -9,6 +9,9 @@
 
 namespace toolcomp::spec {
 
+// Macros of machine builders and probing stand in the control alone.
+inline constexpr const char* kMacroOfNoProgram = "G65 (macro call of a program that is not there) is not supported";
+
 // Of a G code by its number; nullptr for one that is not listed: one that works here, or none of a control.
 const char* code_not_supported(const Decimal& number);
 

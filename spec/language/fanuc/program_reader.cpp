@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "spec/language/fanuc/block_reader.h"
+#include "spec/language/fanuc/not_supported.h"
 #include "spec/language/fanuc/program_library.h"
 
 namespace toolcomp::spec {
@@ -140,19 +141,17 @@ void ProgramReader::State::keep(const std::string& program) {
 
 void ProgramReader::State::call(Block& block, bool macro) {
   const ProgramCall wanted = program_call(block, reader());
-  const auto fault = [&block, macro](AlarmCause cause, const char* message) {
-    block.alarm = ReadAlarm{cause, macro ? 1 : block.word[0].column, message};
+  const std::uint32_t column = macro ? reader().macro_call().column : block.word[0].column;
+  const auto fault = [&block, column](AlarmCause cause, const char* message) {
+    block.alarm = ReadAlarm{cause, column, message};
   };
   keep(wanted.program);
   const std::optional<ProgramLibrary::Program> program = library->find(wanted.program);
+  if (!program && macro) return fault(AlarmCause::not_supported, kMacroOfNoProgram);
   if (!program && reader().has_variables())
     return fault(AlarmCause::not_supported, "# (the number of a program that is not there) is not supported");
-  if (wanted.program.empty())
-    return fault(AlarmCause::program_missing,
-                 macro ? "G65 without the number of a program" : "M98 without the number of a program");
-  if (!program)
-    return fault(AlarmCause::program_missing,
-                 macro ? "G65: there is no program of this number" : "M98: there is no program of this number");
+  if (wanted.program.empty()) return fault(AlarmCause::program_missing, "M98 without the number of a program");
+  if (!program) return fault(AlarmCause::program_missing, "M98: there is no program of this number");
   if (calls.size() == kMostCalls)
     return fault(AlarmCause::calls_too_deep, "more than 10 programs called one inside the other");
   if (macro) variables.call(reader().macro_call().arguments);

@@ -34,7 +34,7 @@ TEST_P(FanucPrograms, WhatIsNotSupportedSaysItsNameAndPlace) {
   const Row rows[] = {
       {"N10 G98 G68 X1 R2", "p.nc:2:9: G68 (coordinate system rotation) is not supported", "G68"},
       {"G68 X0 Y0 R45.", "p.nc:2:1: G68 (coordinate system rotation) is not supported", "G68"},
-      {"  #1=5", "p.nc:2:3: # (a macro variable set after the program has begun) is not supported", "#"},
+      {"  X#1", "p.nc:2:3: # (a macro variable that has no number here) is not supported", "#"},
       {"G01 X1 ,R5", "p.nc:2:8: ,R (corner rounding) is not supported", ",R"},
       {"X1 G77.7", "PS0010 there is no such G code", ""},
       {"N5 M98 P7", "p.nc:2:4: PS0076 M98: there is no program of this number", ""},

@@ -106,7 +106,7 @@ TEST(Macros, Calls) {
   EXPECT_EQ(blocks("#100=2\nG65 P#100 Z1.\nM30\nO2\n#100=#26\nM99"), "4 O2\n6 M99\n3 M30\n");
   EXPECT_EQ(blocks("G65 P2 X10\nM30\nO2\nM99"), "1:8 G65 (an argument without a decimal point) is not supported\n");
   EXPECT_EQ(blocks("G65 P2 I1. I2.\nM30\nO2\nM99"), "1:1 G65 (with this argument) is not supported\n");
-  EXPECT_EQ(blocks("G65 P3"), "1:1 PS0076\n");
+  EXPECT_EQ(blocks("N1 G65 P3"), "1:4 G65 (macro call of a program that is not there) is not supported\n");
   EXPECT_EQ(blocks("#1=3\nM98 P#1"), "2:1 # (the number of a program that is not there) is not supported\n");
   EXPECT_EQ(blocks("#1=0\nWHILE[#1LT2]DO1\n#1=#1+1\nM98P2\nEND1\nM30\nO2\nX#1\nM99"),
             "4 M98 P2\n7 O2\n8 X1.\n9 M99\n4 M98 P2\n7 O2\n8 X2.\n9 M99\n6 M30\n");

@@ -39,6 +39,7 @@ TEST(NotSupported, CodesSayTheirName) {
   EXPECT_EQ(said("G98 G84.2 Z-5 R2 F100"), "5 G84.2 (rigid tapping, a canned cycle) is not supported");
   EXPECT_EQ(said("N10 g068.2X0Y0Z0I0J0K0"), "5 G68.2 (tilted working plane) is not supported");
   EXPECT_EQ(said("G68.20"), "1 G68.2 (tilted working plane) is not supported");
+  EXPECT_EQ(said("N1 G65 P9000"), "4 G65 (macro call of a program that is not there) is not supported");
   EXPECT_EQ(said("G66 P9000"), "1 G66 (modal macro call) is not supported");
   EXPECT_EQ(said("G90 G16"), "5 G16 (polar coordinate command) is not supported");
   EXPECT_EQ(said("G68 G51"), "1 G68 (coordinate system rotation) is not supported") << "the first one";
@@ -99,7 +100,7 @@ std::string code_of(std::uint64_t tenths) {
 // Those that do something (clause fanuc.program.unknown-code).
 constexpr std::string_view kMeant =
     "G00 G01 G02 G03 G04 G10 G17 G18 G19 G20 G21 G28 G29 G30 G30.1 G37 G39 G40 G41 G41.2 G41.3 G41.6 G42 G42.2 G42.6 "
-    "G65 G43 G43.4 G43.5 G44 G45 G46 G47 G48 G49 G52 G53 G54 G55 G56 G57 G58 G59 G54.1 G90 G91 G92 G93 G94 G95 "
+    "G43 G43.4 G43.5 G44 G45 G46 G47 G48 G49 G52 G53 G54 G55 G56 G57 G58 G59 G54.1 G90 G91 G92 G93 G94 G95 "
     "G73 G74 G76 G80 G81 G82 G83 G84 G85 G86 G87 G88 G89 G98 G99";
 
 TEST(NotSupported, EveryCodeIsTakenOrRefusedAlike) {
