@@ -171,7 +171,7 @@ bool BlockReader::refill() {
 
 std::string_view BlockReader::ahead() {
   constexpr std::size_t kMost = 6;
-  std::size_t size = static_cast<std::size_t>(end_ - position_);
+  auto size = static_cast<std::size_t>(end_ - position_);
   if (size < kMost && !exhausted_) {
     consumed_ = offset();
     std::copy(position_, end_, buffer_.data());

@@ -128,7 +128,7 @@ std::optional<int> compare(const MacroValue& a, const MacroValue& b) {
 }
 
 std::optional<Decimal> rounded(const MacroValue& a, unsigned decimals) {
-  const double unit = static_cast<double>(kPowersOfTen[decimals]);
+  const auto unit = static_cast<double>(kPowersOfTen[decimals]);
   const auto scaled = whole({{}, a.value * unit, a.error * unit}, half_up);
   if (!scaled) return std::nullopt;
   Decimal made = *scaled->exact;

@@ -172,12 +172,16 @@ bool ProgramReader::State::next(Block& block) {
     } else if (!read(block)) {
       return false;
     }
-    if (reader().jump() == BlockReader::Jump::keep) [[unlikely]]
+    const BlockReader::Jump jump = reader().jump();
+    if (jump == BlockReader::Jump::keep) [[unlikely]] {
       keep({});
-    else if (reader().jump() != BlockReader::Jump::macro || block.alarm) [[likely]]
-      return true;
-    else if (call(block, true); block.alarm)
-      return true;
+      continue;
+    }
+    if (jump == BlockReader::Jump::macro && !block.alarm) [[unlikely]] {
+      call(block, true);
+      if (!block.alarm) continue;
+    }
+    return true;
   }
 }
 
