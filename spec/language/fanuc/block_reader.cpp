@@ -59,7 +59,6 @@ constexpr std::array<Kind, 256> kKinds = [] {
 }();
 
 constexpr bool is_digit(int c) { return c >= '0' && c <= '9'; }
-constexpr bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 std::array<Address, 256> addresses(const Axes& axes) {
@@ -460,7 +459,7 @@ bool BlockReader::read_block(Block& block) {
         break;
       case Kind::letter:
         if (read_usual_words(block)) break;
-        if (const std::string_view next = ahead(); next.size() > 1 && is_letter(next[1]))
+        if (at_statement())
           read_statement(block);
         else
           read_word(block, upper(*position_));

@@ -121,6 +121,7 @@ class BlockReader {
   [[nodiscard]] std::optional<Decimal> macro_word(const MacroValue& value, const Address& admitted) const;
   // Statements: #100=5. IF WHILE DO END GOTO G65. Each is a block of its own, and none for those who take blocks.
   bool read_assignment(Block& block);
+  bool at_statement();  // but for #100=5.
   bool read_statement(Block& block);
   bool read_if(Block& block, std::uint32_t start);
   bool read_loop(Block& block, std::uint32_t start, bool condition, const Place& at);

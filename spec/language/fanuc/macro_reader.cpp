@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <string>
 #include <string_view>
-#include <utility>
 
 #include "spec/language/digits.h"
 #include "spec/language/fanuc/block_reader.h"
-#include "spec/language/fanuc/not_supported.h"
 
 namespace toolcomp::spec {
 namespace {
@@ -30,13 +29,9 @@ constexpr std::uint64_t variable_of(char letter) {
   return letter == '.' || at == std::string_view::npos ? 0 : at + 1;
 }
 
-bool is_statement(std::string_view text) {
-  std::array<char, 5> letters{};
-  const std::size_t size = std::min(text.size(), letters.size());
-  std::ranges::transform(text.substr(0, size), letters.begin(), upper);
-  const std::string_view read(letters.data(), size);
-  return std::ranges::any_of(std::array{"IF", "GOTO", "WHILE", "DO", "END"},
-                             [read](const char* word) { return read.starts_with(word); });
+Decimal without_trailing_zeros(Decimal number) {
+  for (; number.decimals > 0 && number.digits % 10 == 0; --number.decimals) number.digits /= 10;
+  return number;
 }
 
 // Arguments whose number means the same with a point and without, whatever the least input increment.
@@ -173,8 +168,7 @@ std::optional<bool> BlockReader::macro_condition() {
 std::optional<Decimal> BlockReader::macro_word(const MacroValue& value, const Address& admitted) const {
   constexpr double kHalfIncrement = 4e-6;  // of the finest: 0.00001 inch
   std::optional<Decimal> number = value.exact;
-  if (number)
-    for (; number->decimals > 0 && number->digits % 10 == 0; --number->decimals) number->digits /= 10;
+  if (number) number = without_trailing_zeros(*number);
   const bool as_it_is = number && number->decimals <= (admitted.point ? kSafeDecimals : 0);
   if (as_it_is && value.error >= kHalfIncrement) return std::nullopt;
   if (!as_it_is) {
@@ -182,7 +176,7 @@ std::optional<Decimal> BlockReader::macro_word(const MacroValue& value, const Ad
     if (options_.decimals == 0 || (!length && !is_rotary_axis(letter_))) return std::nullopt;
     number = rounded(value, options_.decimals + (length && variables_.inch ? 1U : 0U));
     if (!number) return std::nullopt;
-    for (; number->decimals > 0 && number->digits % 10 == 0; --number->decimals) number->digits /= 10;
+    number = without_trailing_zeros(*number);
   }
   if ((number->negative && number->digits != 0 && !admitted.sign) || number->digits >= kPowersOfTen[kMaxMacroDigits])
     return std::nullopt;
@@ -238,27 +232,25 @@ bool BlockReader::read_assignment(Block& block) {
   return true;
 }
 
-// Two letters or more, where an address might stand.
+bool BlockReader::at_statement() {
+  const std::string_view text = ahead();
+  std::array<char, 5> letters{};
+  const std::size_t size = std::min(text.size(), letters.size());
+  std::ranges::transform(text.substr(0, size), letters.begin(), upper);
+  const std::string_view read(letters.data(), size);
+  return std::ranges::any_of(std::array{"IF", "GOTO", "WHILE", "DO", "END"},
+                             [read](const char* word) { return read.starts_with(word); });
+}
+
 bool BlockReader::read_statement(Block& block) {
   const std::uint32_t start = column();
   const Place at = here();
-  const bool known = address_[static_cast<unsigned char>(upper(peek()))].known;
-  if (is_statement(ahead())) {
-    if (!begins_statement(block, start)) return false;
-    const std::string word(read_letters());
-    if (word == "IF") return read_if(block, start);
-    if (word == "GOTO") return read_goto(block, start);
-    if (word == "END") return read_end(block, start);
-    return read_loop(block, start, word == "WHILE", at);
-  }
-  read_letters();
-  skip_block();
-  started_ = true;
-  block.alarm = ReadAlarm{known ? AlarmCause::digit_missing : AlarmCause::unknown_address, start,
-                          known ? "an address without a digit" : "this letter is no address of this control"};
-  if (const char* const macro = text_not_supported({passed_.data(), passed_size_}))
-    block.alarm = ReadAlarm{AlarmCause::not_supported, start, macro};
-  return false;
+  if (!begins_statement(block, start)) return false;
+  const std::string word(read_letters());
+  if (word == "IF") return read_if(block, start);
+  if (word == "GOTO") return read_goto(block, start);
+  if (word == "END") return read_end(block, start);
+  return read_loop(block, start, word == "WHILE", at);
 }
 
 bool BlockReader::read_if(Block& block, std::uint32_t start) {
@@ -269,7 +261,7 @@ bool BlockReader::read_if(Block& block, std::uint32_t start) {
                         "IF (a comparison that is not followed, or that the digits of the control decide) is not "
                         "supported");
   next_of_macro();
-  const std::string word = peek() == '#' ? "THEN" : std::string(read_letters());
+  const std::string word(read_letters());
   if (word != "GOTO" && word != "THEN") return not_followed(block, start, "IF (without GOTO or THEN) is not supported");
   if (!*holds) {
     started_ = true;
@@ -367,15 +359,18 @@ bool BlockReader::read_argument(Block& block) {
     return program.has_value();
   }
   const std::uint64_t variable = variable_of(letter);
-  next_of_macro();
-  const bool written = is_digit(peek()) || peek() == '-' || peek() == '+' || peek() == '.';
+  const int sign = next_of_macro();
+  if (sign == '-' || sign == '+') take();
+  const int first = next_of_macro();
+  if (variable == 0 || macro_call_.arguments.contains(variable) || first == '-' || first == '+') return false;
+  const bool written = is_digit(first) || first == '.';
   const auto value = macro_operand(kDeepestMacro);
-  if (variable == 0 || !value || macro_call_.arguments.contains(variable)) return false;
+  if (!value) return false;
   // A number without a point counts increments, by its letter and the units.
   const bool plain = !written || value->exact->point || value->exact->is_zero() || is_count(letter) ||
                      (letter == 'F' && !variables_.per_revolution);
   if (!plain) return not_followed(block, start, "G65 (an argument without a decimal point) is not supported");
-  macro_call_.arguments[variable] = *value;
+  macro_call_.arguments[variable] = sign == '-' ? negated(*value) : *value;
   return true;
 }
 

@@ -448,15 +448,14 @@ const char* BlockParser::call_beyond(const Block& block) const {
   if (beside_ || tcpm_ || begins_in_tcpm_)
     return either("M99 (cycle call, under RL, RR or TCPM) is not supported",
                   "CYCL CALL (under RL, RR or TCPM) is not supported");
-  if (to_call_ == kCentering && !is_zero({parameters_.value(kByDiameter).value_or(Decimal{.digits = 1}), {}}))
+  const std::optional<Decimal> by_diameter = parameters_.value(kByDiameter);
+  if (to_call_ == kCentering && (!by_diameter || !by_diameter->is_zero()))
     return either("M99 (cycle call, of cycle 240 by a diameter) is not supported",
                   "CYCL CALL (of cycle 240 by a diameter) is not supported");
-  std::array<std::optional<Decimal>, 4> values;
-  std::ranges::transform(std::array{kDepth, kSetUpClearance, kSurface, kSecondClearance}, values.begin(),
-                         [this](const Parameter& parameter) { return parameters_.value(parameter); });
-  if (!std::ranges::all_of(values, [](const auto& value) { return value.has_value(); }))
-    return "Q (set by FN 18) is not supported";
-  if (!values[0]->negative && values[0]->digits != 0)
+  for (const Parameter& parameter : {kDepth, kSetUpClearance, kSurface, kSecondClearance})
+    if (!parameters_.value(parameter)) return "Q (set by FN 18) is not supported";
+  const std::optional<Decimal> depth = parameters_.value(kDepth);
+  if (!depth->negative && !depth->is_zero())
     return either("M99 (cycle call, with a depth above the surface) is not supported",
                   "CYCL CALL (with a depth above the surface) is not supported");
   return nullptr;

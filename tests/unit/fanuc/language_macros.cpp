@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "fuzz/targets/pieces.h"
 #include "spec/language/alarm.h"
 #include "spec/language/fanuc/program_reader.h"
 
@@ -77,6 +78,7 @@ TEST(Macros, Jumps) {
   EXPECT_EQ(blocks("N1 #1=1\nGOTO 7\nX1\nN7 Y1\nM30"), "4 N7 Y1\n5 M30\n") << "ahead";
   EXPECT_EQ(blocks("#1=0\nN1 X1\n#1=#1+1\nIF[#1 EQ 1] GOTO#1\nY1\nN1 Z#1"), "2 N1 X1\n6 N1 Z1.\n")
       << "the next of two blocks with the number";
+  EXPECT_EQ(blocks("IF[1 EQ 1] #2=9"), "1:1 IF (without GOTO or THEN) is not supported\n");
   EXPECT_EQ(blocks("#1=1\nIF[#1 EQ 1] THEN #2=9\nIF[#1 EQ 2] THEN #2=8\nX#2"), "4 X9.\n");
   EXPECT_EQ(blocks("N1 #1=#2"),
             "1:4 # (a macro statement other than a variable set to an expression that is followed) is not supported\n");
@@ -103,6 +105,10 @@ TEST(Macros, Calls) {
   EXPECT_EQ(blocks("#1=1\nG65 P2 A5. H3 F100 X-2.5\nX#1\nM30\nO2\nX#1 Y#24 H#11 F#9\nM99\n"),
             "5 O2\n6 X5. Y-2.5 H3 F100.\n7 M99\n3 X1.\n4 M30\n")
       << "local variables of its own";
+  EXPECT_EQ(blocks("#1=30\n#2=4\nG65 P2 X-#2 Y-[#2] Z-SIN[#1]\nM30\nO2\nX#24 Y#25 Z#26\nM99"),
+            "5 O2\n6 X-4. Y-4. Z-.5\n7 M99\n4 M30\n")
+      << "a sign before a variable, which has no point of its own";
+  EXPECT_EQ(blocks("G65 P2 X--1.\nM30\nO2\nM99"), "1:1 G65 (with this argument) is not supported\n");
   EXPECT_EQ(blocks("#100=2\nG65 P#100 Z1.\nM30\nO2\n#100=#26\nM99"), "4 O2\n6 M99\n3 M30\n");
   EXPECT_EQ(blocks("G65 P2 X10\nM30\nO2\nM99"), "1:8 G65 (an argument without a decimal point) is not supported\n");
   EXPECT_EQ(blocks("G65 P2 I1. I2.\nM30\nO2\nM99"), "1:1 G65 (with this argument) is not supported\n");
@@ -112,24 +118,9 @@ TEST(Macros, Calls) {
             "4 M98 P2\n7 O2\n8 X1.\n9 M99\n4 M98 P2\n7 O2\n8 X2.\n9 M99\n6 M30\n");
 }
 
-// However the text comes: in one piece, or a byte at a time.
-class Bytes final : public spec::ByteSource {
- public:
-  explicit Bytes(std::string_view text) : text_(text) {}
-  std::size_t read(char* to, std::size_t) override {
-    if (at_ == text_.size()) return 0;
-    *to = text_[at_++];
-    return 1;
-  }
-
- private:
-  std::string_view text_;
-  std::size_t at_ = 0;
-};
-
 TEST(Macros, InSmallPieces) {
   constexpr std::string_view kText = "O1\nN1 #1=0\nWHILE[#1LT2]DO1\nN2 #1=#1+1\nX#1\nEND1\nIF[#1EQ2]GOTO3\nX9\nN3 Y1\n";
-  spec::ProgramReader reader(std::make_unique<Bytes>(kText), spec::Axes("XYZAB"), told(3));
+  spec::ProgramReader reader(std::make_unique<fuzz::Pieces>(kText, 1), spec::Axes("XYZAB"), told(3));
   std::string all;
   for (spec::Block block; reader.next(block);) all += std::to_string(block.line) + ' ' + to_string(block) + '\n';
   EXPECT_EQ(all, blocks(kText));
