@@ -100,10 +100,7 @@ bool may_differ(const FanucScene& s, std::size_t from, std::size_t to) {
 
 void hole_where_commanded(const FanucScene& s, Holding& holding) {
   const HolesByWords words = holes_by_words(s);
-  for (const HolesOfBlock& block : words.blocks) {
-    holding.holds(block.holes <= block.most, block.event, "no more holes than the block says");
-    holding.holds(block.holes >= block.least, block.event, "as many holes as the block says");
-  }
+  hold_counts(words.blocks, holding);
   for (const HoleByWords& hole : words.holes) ask_position(s, hole, holding);
   for (const EndByWords& end : words.ends)
     for (std::size_t i = 0; i < s.c.setup.axes.size(); ++i)

@@ -4,11 +4,11 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "fuzz/laws/fanuc/scene.h"
+#include "fuzz/laws/hole_counts.h"
 
 namespace toolcomp::fuzz::laws {
 
@@ -30,13 +30,6 @@ struct HoleByWords {
 struct EndByWords {
   std::size_t event = 0;
   Places position;  // as commanded
-};
-
-struct HolesOfBlock {
-  std::size_t event = 0;  // one that is near it
-  std::uint64_t holes = 0;
-  std::uint64_t most = 0;   // by its words
-  std::uint64_t least = 0;  // the same, but where the run may have ended before
 };
 
 struct HolesByWords {

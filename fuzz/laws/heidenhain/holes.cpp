@@ -22,10 +22,7 @@ void ask_rotary(const KlartextScene& s, const KlartextHole& hole, Holding& holdi
 void hole_where_programmed(const KlartextScene& s, Holding& holding) {
   const KlartextHoles words = holes_by_words(s);
   const spec::Axes& axes = s.c.setup.axes;
-  for (const HolesOfKlartextBlock& block : words.blocks) {
-    holding.holds(block.holes <= block.most, block.event, "no more holes than the block calls");
-    holding.holds(block.holes >= block.least, block.event, "a hole for every call");
-  }
+  hold_counts(words.blocks, holding);
   for (const KlartextHole& hole : words.holes) {
     const model::Event& event = s.events[hole.event];
     for (std::size_t i = 0; i < axes.size(); ++i) {

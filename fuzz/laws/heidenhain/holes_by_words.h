@@ -4,11 +4,11 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "fuzz/laws/heidenhain/scene.h"
+#include "fuzz/laws/hole_counts.h"
 
 namespace toolcomp::fuzz::laws {
 
@@ -41,17 +41,10 @@ struct MoveBehindHole {
   LinearPlaces position;  // as programmed
 };
 
-struct HolesOfKlartextBlock {
-  std::size_t event = 0;  // one that is near it
-  std::uint64_t holes = 0;
-  std::uint64_t most = 0;   // by its words
-  std::uint64_t least = 0;  // the same, but where the run may have ended before
-};
-
 struct KlartextHoles {
   std::vector<KlartextHole> holes;
   std::vector<MoveBehindHole> moves;
-  std::vector<HolesOfKlartextBlock> blocks;
+  std::vector<HolesOfBlock> blocks;
 };
 
 // Up to M2, M30 or END PGM. Unknown are places of words under M91 and M92, behind a departure and M140, or by a
