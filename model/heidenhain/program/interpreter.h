@@ -41,11 +41,14 @@ class Interpreter {
   std::optional<Motion> execute(const spec::klartext::Block& block, const Functions& functions);
   void call_tool(const spec::klartext::Block& block);
   void correct(const spec::klartext::Block& block);
+  // CYCL DEF of a drilling cycle.
   void define_cycle(const spec::klartext::Block& block);
 
   // L and LN.
   std::optional<Motion> line(const spec::klartext::Block& block, const Functions& functions);
+  // Where the linear axes stand.
   void add_position(Motion& motion) const;
+  // CYCL CALL and M99: hole_. Throws Alarm.
   void call_cycle(const spec::klartext::Block& block);
   // Positions are unknown. Throws Alarm not_judged where one of them is needed.
   void require_positions(bool needs);

@@ -54,11 +54,11 @@ class ToolDirection {
   Recorder& recorder_;
   bool tcpm_ = false;
   bool center_ = false;
-  Direction axis_;  // e of the tool axis
-  std::size_t axis_index_ = 2;
-  Direction current_;       // under TCPM it outlives a change of the tool axis
-  bool by_vector_ = false;  // a vector turned the tool, and no rotary word came after it
-  Direction left_;          // where TCPM was switched off and by_vector_: where the tool stands
+  std::size_t axis_index_ = 2;  // of the tool axis
+  Direction axis_;              // e of it
+  Direction current_;           // under TCPM it outlives a change of the tool axis
+  bool by_vector_ = false;      // a vector turned the tool, and no rotary word came after it
+  Direction left_;              // where TCPM was switched off and by_vector_: where the tool stands
 };
 
 }  // namespace toolcomp::model::klartext
