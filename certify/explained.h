@@ -17,7 +17,7 @@ namespace toolcomp::certify {
 struct ExplainedEvent {
   model::Event event;
   std::string measured;  // of G37, in words (block_words.h); empty: no such move
-  std::string corner;    // behind an own move, in words; empty: no vector there
+  std::string corner;    // after an own move, in words; empty: no vector there
 };
 
 struct ExplainedBlock {

@@ -8,6 +8,7 @@
 
 #include "certify/certificate.h"
 #include "certify/explained.h"
+#include "cli/crossing.h"
 #include "cli/program.h"
 #include "cli/unjudged.h"
 #include "cli/verbs.h"
@@ -87,6 +88,7 @@ void print(const certify::ExplainedBlock& block, const spec::Axes& axes, int dig
     fmt::print("  exact   {}\n", text);
     if (spec::ends_run(event.kind) || event.kind == spec::EventKind::warning)
       fmt::print("          {}\n", event.message);
+    if (const auto by = crossing(event)) fmt::print("          the paths cross by {:.6g}\n", *by);
     for (const spec::Clause clause : block.other_clauses(explained)) print_clause(spec::info(clause));
     if (!explained.measured.empty()) fmt::print("  measured {}\n", explained.measured);
     if (!explained.corner.empty()) fmt::print("  corner   {}\n", explained.corner);

@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <iostream>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "certify/path_svg.h"
+#include "cli/crossing.h"
 #include "cli/manners.h"
 #include "cli/notes.h"
 #include "cli/output.h"
@@ -120,6 +123,7 @@ class Printer final : public spec::EventSink<Number> {
     if (with_notes_) {
       notes_.on(event, [](const Number& value) { return nearest(value); });
       if (notes_.wait()) say(notes_.take());
+      if (event.kind == spec::EventKind::alarm && event.alarm == spec::AlarmCause::interference) say_crossing(event);
     }
     if (format_ == Format::gcode && program_.samples() > 1)
       print_inside(event);
@@ -164,6 +168,12 @@ class Printer final : public spec::EventSink<Number> {
   [[nodiscard]] int status() const { return unjudged_.status(); }
 
  private:
+  void say_crossing(const spec::Event<Number>& alarm) {
+    std::optional<double> by;
+    if constexpr (std::is_same_v<Number, exact::Real>) by = crossing(alarm);
+    if (!by) by = crossing(program_);
+    if (by) say({{alarm.line, fmt::format("the paths cross by {:.6g}", *by)}});
+  }
   // On standard error, and those of a block as events where these have a form for it.
   void say(const std::vector<Note>& notes, bool of_block = true) {
     for (const Note& each : notes) {

@@ -28,6 +28,7 @@ class Alarm : public std::exception {
   std::uint64_t line = 0;  // of the block at fault; 0: the block being interpreted
   std::optional<std::uint64_t> n;
   std::shared_ptr<const Event> unmade;  // its move, where those before it were made with it
+  Real crossing;  // of interference: by how much the paths cross, setup units; 0: that is no length
 };
 
 // The specification leaves open what a block does: the run ends with an `undecided` event that names the clause.

@@ -137,6 +137,7 @@ void Reporter::report(const Alarm& alarm, const spec::ClauseList& clauses) {
   spec::end_run(event, alarm.cause, alarm.message, numbers_);
   event.clauses = clauses;
   event.unmade = alarm.unmade;
+  event.value = alarm.crossing;
   sink_.on(event);
 }
 

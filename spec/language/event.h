@@ -157,7 +157,7 @@ struct Event {
 
   // setting
   Name setting;  // "H1", "H1.wear"
-  Number value{};
+  Number value{};  // in no output: of an alarm of interference of the model, by how much the paths cross, if not 0
 
   // sample
   std::uint32_t t_numerator = 0;

@@ -123,6 +123,9 @@ TEST_P(Run, NotesTellWhatAReaderShouldKnow) {
       {"G90 G00 X10.\nG01 Y5.\n", "2: note: no F yet: the feed is 200 of parameter 1411"},
       {"G90 G01 X10. F100\nG41 D1 Y2.\nY20.\nX30.\nG40 X40.\n",
        "2: note: a start-up move of 2, shorter than the radius 5"},
+      // A groove 4 wide and a tool 10 wide: 4 - 10 along its bottom. An arc of radius 3 inside.
+      {"G90 G00 X-20.\nG01 G41 D1 X0. F100\nY-20.\nX4.\nY0.\nX20.\nG40 X40.\n", "4: note: the paths cross by 6"},
+      {"G90 G00 X-20.\nG01 G41 D1 X0. F100\nG03 Y6. J3.\nG01 X-20.\nG40 X-40.\n", "3: note: the paths cross by 2"},
   };
   for (const auto& [program, says] : cases) {
     const std::string run = "run " + folder.write("p.nc", program) + " --setup " + setup + " --engine " + GetParam();

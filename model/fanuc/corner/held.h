@@ -32,6 +32,10 @@ class HeldPath {
   [[nodiscard]] virtual bool arc_interferes(Recorder& recorder, ToolArcRun& run) const = 0;
   // Whether the block, as a line, interferes between two vectors. Clause: fanuc.cutter-c.interference-direction.
   [[nodiscard]] virtual bool line_interferes(Recorder& recorder, const Vector& from, const Vector& to) const = 0;
+  // How far the tool goes against the block between two vectors that interfere so, setup units.
+  [[nodiscard]] virtual Real backwards(const Vector& from, const Vector& to) const = 0;
+  // By how much the offset of an arc that interferes is larger than its radius, setup units; 0 where its sweep does.
+  [[nodiscard]] virtual Real excess() const = 0;
 };
 
 struct Held {

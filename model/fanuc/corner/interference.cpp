@@ -42,6 +42,12 @@ bool arc_interferes(Recorder& recorder, const PathEnd& start, const PathEnd& end
   return sweeps_far_apart(recorder, run);
 }
 
+Real excess(const PathEnd& start, const PathEnd& end) {
+  for (const PathEnd* at : {&start, &end})
+    if (offset_radius(*at) == Sign::negative) return -at->radius();
+  return {};
+}
+
 // The tool's path against the programmed one.
 bool line_interferes(Recorder& recorder, const OffsetPath& path, const PlanePoint& from, const PlanePoint& to) {
   const Real length2 = path.is_arc() ? squared_norm(path.travel) : path.start.heading.length2;

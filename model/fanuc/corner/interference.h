@@ -31,5 +31,8 @@ Passage leave_outer_vectors(SpaceGroup& at_start, SpaceGroup& at_end);
 bool arc_interferes(Recorder& recorder, const PathEnd& start, const PathEnd& end, ToolArcRun& run);
 // Whether a path interferes, taken as a line from end to end. Clause: fanuc.cutter-c.interference-direction.
 bool line_interferes(Recorder& recorder, const OffsetPath& path, const PlanePoint& from, const PlanePoint& to);
+// By how much the offset of an arc is larger than its radius, setup units: at its start, or where it is not, at its
+// end; 0: at neither.
+Real excess(const PathEnd& start, const PathEnd& end);
 
 }  // namespace toolcomp::model

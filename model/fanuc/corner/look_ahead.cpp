@@ -196,8 +196,12 @@ Passage LookAhead::check(const Held& held, SpaceGroup& at_end, ToolArcRun* run) 
   // nothing.
   const auto& parameters = rules_.interference;
   bool by_direction = false;
+  Vector last_from;
+  Vector last_to;
   const auto interferes = [&](bool first, const SpaceVector& from, const SpaceVector& to) {
     by_direction = !first || run == nullptr;
+    last_from = from.vector;
+    last_to = to.vector;
     const bool result = by_direction ? held.path->line_interferes(recorder_, from.vector, to.vector)
                                      : held.path->arc_interferes(recorder_, *run);
     if (first && result && parameters)
@@ -215,7 +219,9 @@ Passage LookAhead::check(const Held& held, SpaceGroup& at_end, ToolArcRun* run) 
   // fanuc.cutter-c.interference-alarm: Interference of the last pair, or of the only one, raises PS0041 (but
   // fanuc.cutter-c.interference-without-alarm). It names the block: neither it nor its corner moves are given; the
   // block before runs to its first head.
-  if (passage == Passage::blocked) raise_held(Clause::fanuc_cutter_c_interference_alarm, AlarmCause::interference);
+  if (passage == Passage::blocked)
+    raise_held(Clause::fanuc_cutter_c_interference_alarm, AlarmCause::interference,
+               by_direction ? held.path->backwards(last_from, last_to) : held.path->excess());
   // fanuc.cutter-c.interference-straightened: An arc block that has interfered in its first pair is a straight block
   // from then on: the next pairs are tested as of a line from P to Q, and its own move is linear from the last vector
   // left at its start to the first left at its end, with the block's feed; cause programmed.
@@ -334,13 +340,14 @@ void LookAhead::emit(Step& step) {
   output_(step);
 }
 
-void LookAhead::raise_held(Clause clause, AlarmCause cause) {
+void LookAhead::raise_held(Clause clause, AlarmCause cause, Real crossing) {
   flush();
   recorder_.reach(clause);
   Alarm alarm(cause);
   alarm.line = held_.front().step.line;
   alarm.n = held_.front().step.n;
   alarm.unmade = unmade(held_.front().step);
+  alarm.crossing = std::move(crossing);
   held_.clear();
   throw Alarm(alarm);
 }

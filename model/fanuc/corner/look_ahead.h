@@ -145,8 +145,8 @@ class LookAhead {
   void insert_corner_moves(Step& step);
   void emit(Step& step);
 
-  // Names the first of those held.
-  [[noreturn]] void raise_held(Clause clause, AlarmCause cause);
+  // Names the first of those held. `crossing`: of Alarm.
+  [[noreturn]] void raise_held(Clause clause, AlarmCause cause, Real crossing = {});
   // The blocks before go out as if this one were absent.
   [[noreturn]] void leave_open_at(Step& now, Clause clause, const char* message);
 

@@ -22,6 +22,11 @@ bool HeldCutterPath::line_interferes(Recorder& recorder, const Vector& from, con
   return model::line_interferes(recorder, path_, in_plane_of(plane_, from), in_plane_of(plane_, to));
 }
 
+Real HeldCutterPath::backwards(const Vector& from, const Vector& to) const {
+  const PlanePoint way = path_.travel + (in_plane_of(plane_, to) - in_plane_of(plane_, from));
+  return -dot(path_.travel, way) / sqrt(squared_norm(path_.travel));
+}
+
 OffsetPath path_of(const CutterBlock& block, const CutterOffset& own, const Rational& distance_before) {
   const Rational at_start = own.side * distance_before;
   if (block.motion != PlaneMotion::arc) return line_path(block.end - block.start, at_start, own.left());

@@ -19,6 +19,8 @@ class HeldCutterPath final : public HeldPath {
                                                   const SpaceVector& to) const override;
   [[nodiscard]] bool arc_interferes(Recorder& recorder, ToolArcRun& run) const override;
   [[nodiscard]] bool line_interferes(Recorder& recorder, const Vector& from, const Vector& to) const override;
+  [[nodiscard]] Real backwards(const Vector& from, const Vector& to) const override;
+  [[nodiscard]] Real excess() const override { return model::excess(path_.start, path_.end); }
 
  private:
   OffsetPath path_;

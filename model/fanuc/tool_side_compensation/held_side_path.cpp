@@ -54,4 +54,11 @@ bool HeldSidePath::line_interferes(Recorder& recorder, const Vector& from, const
   return recorder.decide(Clause::fanuc_cutter_c_interference_direction, along, scale) == Sign::negative;
 }
 
+Real HeldSidePath::backwards(const Vector& from, const Vector& to) const {
+  const Vector along = plane.along(path.travel);
+  return -dot(along, path.travel + (to - from)) / sqrt(squared_norm(along));
+}
+
+Real HeldSidePath::excess() const { return model::excess(start, seen(plane, plane.frame(), end)); }
+
 }  // namespace toolcomp::model

@@ -16,6 +16,8 @@ class HeldSidePath final : public HeldPath {
                                                   const SpaceVector& to) const override;
   [[nodiscard]] bool arc_interferes(Recorder& recorder, ToolArcRun& run) const override;
   [[nodiscard]] bool line_interferes(Recorder& recorder, const Vector& from, const Vector& to) const override;
+  [[nodiscard]] Real backwards(const Vector& from, const Vector& to) const override;
+  [[nodiscard]] Real excess() const override;
 
   CompensationPlane plane;  // at its end; a lone start has nothing else
   SidePath path;

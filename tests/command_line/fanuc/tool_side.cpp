@@ -41,6 +41,21 @@ class ToolSide : public testing::TestWithParam<std::string> {
 INSTANTIATE_TEST_SUITE_P(BothEngines, ToolSide, testing::Values("model", "fast"),
                          [](const auto& engine) { return engine.param; });
 
+// By hand: a groove 4 wide along X, a tool 10 wide that leans by 30 degrees towards X. Square to the tool the bottom is
+// 4 cos 30 long, and the tool runs 10 - 4 cos 30 against it.
+TEST_P(ToolSide, AGrooveTooNarrowSaysByHowMuch) {
+  const Folder folder;
+  const std::string setup = folder.write(
+      "setup.toml",
+      "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\", \"B\", \"C\"]\n[parameters]\n19680 = 2\n19681 = 5\n"
+      "19682 = 3\n19686 = 4\n19687 = 2\n\"19630\" = \"0.001\"\n[offsets.D]\n1 = 5\n");
+  const std::string program =
+      folder.write("groove.nc", "G90 G00 X-20. B30. C0.\nG01 G41.2 D1 X0. F100\nY-20.\nX4.\nY0.\nX20.\nG40 X40.\n");
+  const Outcome run = toolcomp("run " + program + " --setup " + setup + " --engine " + GetParam());
+  EXPECT_NE(run.err.find("groove.nc:4: note: the paths cross by 6.5359\n"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("groove.nc:4:1: PS0041 "), std::string::npos) << run.err;
+}
+
 // By hand: VT is (0, s, c), (s, 0, c), (0, -s, c), (-s, 0, c) at the walls, s and c of 10 degrees. Each corner is one
 // of 90 degrees in the plane of the wall before it, so that V = 6 (n1 + n2) with n1 = VT x travel and n2 the next
 // travel turned left, which lies in that plane; the vector is kept while the tool turns.
