@@ -39,6 +39,12 @@ def places():
     return {entry["id"]: entry for entry in json.loads(toolcomp("spec", "trace", "--json", "--dir", str(ROOT)))}
 
 
+@functools.cache
+def notations():
+    """What `toolcomp spec list` says of the symbols of each clause."""
+    return {entry["id"]: entry.get("notation", []) for entry in json.loads(toolcomp("spec", "list", "--json"))}
+
+
 def plain(formula):
     """A formula of a clause file with the signs of print."""
     for written, sign in ((" x ", " × "), (" . ", " · "), ("<=", "≤"), (">=", "≥"), (" +- ", " ± "), ("->", "→")):
@@ -93,6 +99,10 @@ def card(clause):
             f"<p>{marked(clause['text'])}</p>"]
     if "formula" in clause:
         body.append(f'<pre class="clause-formula">{html.escape(plain(clause["formula"]))}</pre>')
+    symbols = [entry.split(": ", 1) for entry in notations()[name]]
+    if symbols:
+        listed = "; ".join(f"<code>{html.escape(symbol)}</code> {html.escape(plain(meaning))}" for symbol, meaning in symbols)
+        body.append(f'<p class="notation">Here {listed}.</p>')
     body.append("<dl>" + "".join(f"<dt>{key}</dt><dd>{value}</dd>" for key, value in rows(clause)) + "</dl>")
     return f'<div class="clause" id="{name}">{"".join(body)}</div>'
 
