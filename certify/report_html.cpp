@@ -206,12 +206,24 @@ std::string sections(const Certificate& c) {
   return out + "<h3>Cases without a verdict</h3>\n" + table(unsettled);
 }
 
+// The text of a clause, its formula, and what the symbols in them mean.
+std::string words_of(const spec::ClauseInfo& info) {
+  std::string out = escape(info.text);
+  if (!info.formula.empty()) out += " <code>" + escape(info.formula) + "</code>";
+  std::string symbols;
+  for (const std::string_view each : spec::items(info.notation)) {
+    const std::size_t colon = each.find(": ");
+    symbols += (symbols.empty() ? "" : "; ") + code(each.substr(0, colon)) + " " + escape(each.substr(colon + 2));
+  }
+  return symbols.empty() ? out : out + " <span class=\"soft\">Here " + symbols + ".</span>";
+}
+
 std::string clause_words(const Finding& f) {
   const auto clause = spec::find_clause(f.key.clause);
   if (!clause) return "<p>No clause was applied before the difference.</p>\n";
   const spec::ClauseInfo& info = spec::info(*clause);
   return "<p>Clause " + code(info.id) + " <span class=\"soft\">(" + escape(kind_name(info.kind)) + "; " +
-         escape(spec::cited(info)) + ")</span>: " + escape(info.text) + "</p>\n";
+         escape(spec::cited(info)) + ")</span>: " + words_of(info) + "</p>\n";
 }
 
 std::string finding(const Finding& f, std::size_t index) {
@@ -307,8 +319,7 @@ std::string clause_table(const Certificate& c, std::string_view section) {
     if (info.section != section || !info.replaced_by.empty()) continue;
     const model::ClauseCount& n = c.clauses[i];
     reached += n.reached > 0 ? 1 : 0;
-    std::string text = escape(info.text);
-    if (!info.formula.empty()) text += " <code>" + escape(info.formula) + "</code>";
+    std::string text = words_of(info);
     if (!info.testable) text += " <span class=\"soft\">(not testable: " + escape(info.reason) + ")</span>";
     rows.push_back({code(info.id), escape(kind_name(info.kind)), escape(spec::known_name(info.known)), text,
                     n.reached > 0 ? count(n.reached) : "<span class=\"open\">0</span>",

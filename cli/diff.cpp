@@ -30,6 +30,8 @@ void print_difference(const fuzz::Difference& difference, const Place& place) {
   if (!difference.clause) return;
   const spec::ClauseInfo& clause = spec::info(*difference.clause);
   fmt::print("  clause    {}\n  known as  {}\n            {}\n", clause.id, spec::cited(clause), clause.text);
+  if (!clause.formula.empty()) fmt::print("            {}\n", clause.formula);
+  for (const std::string_view symbols : spec::items(clause.notation)) fmt::print("            with {}\n", symbols);
 }
 
 namespace {

@@ -3,6 +3,7 @@
 // it.
 #include <fmt/format.h>
 
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -55,17 +56,18 @@ std::string exact_text(const exact::Real& value, int digits) {
   return text;
 }
 
-void print_clause(const spec::ClauseInfo& clause) {
-  fmt::print("  clause   {}  [{}; {}]\n      {}\n", clause.id, certify::kind_name(clause.kind), spec::cited(clause),
+// `what`: what the clause does in the block, "clause" or "decision". What its symbols mean is said in its first place.
+void print_clause(std::string_view what, const spec::ClauseInfo& clause, std::set<std::string_view>& known_symbols) {
+  fmt::print("  {:<8} {}  [{}; {}]\n      {}\n", what, clause.id, certify::kind_name(clause.kind), spec::cited(clause),
              clause.text);
   if (!clause.formula.empty()) fmt::print("      {}\n", clause.formula);
+  for (const std::string_view symbols : spec::items(clause.notation))
+    if (known_symbols.insert(symbols).second) fmt::print("      with {}\n", symbols);
 }
 
-void print_decision(const model::Decision& decision, int digits) {
+void print_decision(const model::Decision& decision, int digits, std::set<std::string_view>& known_symbols) {
   const spec::ClauseInfo& clause = spec::info(decision.clause);
-  fmt::print("  decision {}  [{}; {}]\n      {}\n", clause.id, certify::kind_name(clause.kind), spec::cited(clause),
-             clause.text);
-  if (!clause.formula.empty()) fmt::print("      {}\n", clause.formula);
+  print_clause("decision", clause, known_symbols);
   fmt::print("      exact   {} {}\n", exact_text(decision.quantity, digits), comparison(decision.outcome));
   const exact::DoubleEnclosure enclosure = decision.quantity.double_enclosure();
   fmt::print("      double  {:.17g}\n", enclosure.lower / 2 + enclosure.upper / 2);
@@ -78,7 +80,8 @@ void print_decision(const model::Decision& decision, int digits) {
 
 void print(const certify::ExplainedBlock& block, const spec::Axes& axes, int digits) {
   fmt::print("line {}: {}\n", block.line, block.text);
-  for (const model::Decision& decision : block.decisions) print_decision(decision, digits);
+  std::set<std::string_view> known_symbols;
+  for (const model::Decision& decision : block.decisions) print_decision(decision, digits, known_symbols);
   for (const certify::ExplainedEvent& explained : block.exact) {
     const model::Event& event = explained.event;
     std::string text;
@@ -89,7 +92,8 @@ void print(const certify::ExplainedBlock& block, const spec::Axes& axes, int dig
     if (spec::ends_run(event.kind) || event.kind == spec::EventKind::warning)
       fmt::print("          {}\n", event.message);
     if (const auto by = crossing(event)) fmt::print("          the paths cross by {:.6g}\n", *by);
-    for (const spec::Clause clause : block.other_clauses(explained)) print_clause(spec::info(clause));
+    for (const spec::Clause clause : block.other_clauses(explained))
+      print_clause("clause", spec::info(clause), known_symbols);
     if (!explained.measured.empty()) fmt::print("  measured {}\n", explained.measured);
     if (!explained.corner.empty()) fmt::print("  corner   {}\n", explained.corner);
   }

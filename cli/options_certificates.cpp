@@ -37,38 +37,39 @@ void define_certify(CommandLine& line) {
        "(docs/adapters.md); fast: the fast engine in "
        "this process");
   take(sub, "--adapters", options->adapters, "FOLDER", "Folder of adapters, searched first (repeatable)");
-  sub->add_flag("--packages", options->packages,
-                "Print the Debian packages that the adapter needs, and do nothing else");
+  sub->add_flag("--packages", options->packages, "Only print the Debian packages that the adapter needs");
   take(sub, "--altered", options->altered, "PARAMETER=VALUE",
-       "Adapter that records: PARAMETER=VALUE for the judge alone, which must then find a difference");
+       "For an adapter that records: change this parameter for the judge only, to test that it finds the difference");
   take(sub, "--trace", options->trace, "FILE", "CSV of recorded axis positions of one run of one program");
   take(sub, "--setup", options->setup, "SETUP", "Setup of the programs; without it, setup.toml beside each");
   take_sections(sub, options->sections);
   take(sub, "--report", options->report, "FOLDER", "Folder of the report");
   take(sub, "--evidence", options->evidence, "FILE",
-       "FILE.tar.zst: everything needed to repeat the certificate (docs/evidence.md); see verify");
-  take(sub, "--sign", options->sign, "KEY", "Key of gpg that signs it: FILE.tar.zst.asc");
-  take(sub, "--cases", options->cases, "N", "Generated cases a section (default: 1000, none with inputs)");
-  take(sub, "--corpus", options->corpus, "FOLDER", "Folder of the golden corpus, to be judged besides the inputs");
+       "FILE.tar.zst: write everything needed to repeat the certificate (docs/evidence.md); see verify");
+  take(sub, "--sign", options->sign, "KEY", "The gpg key that signs the evidence, into FILE.tar.zst.asc");
+  take(sub, "--cases", options->cases, "N",
+       "Generated cases in each section (default: 1000, and 0 if inputs are named)");
+  take(sub, "--corpus", options->corpus, "FOLDER", "Judge this folder of the golden corpus too");
   take(sub, "--seed", options->seed, "N", "Seed of every random choice");
-  take_timeout(sub, options->timeout, "Seconds a case may take");
+  take_timeout(sub, options->timeout, "Seconds that a case may take");
   take(sub, "--time-limit", options->time_limit, "TIME",
-       "60s, 10m, 1h: what is not judged by then is not run; the report says so");
+       "Stop after 60s, 10m or 1h; the report says which cases were not run");
   take(sub, "--settle", options->settle, "TIME",
-       "30s, 5m, 0: time to ask again for one finding of each group and to shorten it; what is not settled by then "
-       "says so")
+       "30s, 5m or 0: time to reproduce and shorten one finding of each group; the report says which findings "
+       "were not settled")
       ->capture_default_str();
   take_accept_resolution(sub, options->accept_resolution);
   take(sub, "--known", options->known, "KINDS",
-       "manual,sister,recollection,ours: only what rests on clauses known so well is judged (default: all)");
-  sub->add_flag("--widths", options->widths, "Print how wide what the verdict policy grants is, section by section");
+       "manual,sister,recollection,ours: judge only by clauses that are known in one of these ways (default: all)");
+  sub->add_flag("--widths", options->widths, "Print the tolerances of the verdicts, section by section");
   take(sub, "--tolerance", options->tolerance, "LENGTH",
-       "Trace, adapter that records: greatest distance from the exact path, in the units of the events");
+       "For a trace or an adapter that records: largest distance from the exact path, in the units of the events");
   take(sub, "--rotary-tolerance", options->rotary_tolerance, "DEGREES",
-       "Trace: the same of each rotary axis, in degrees (default: the number of --tolerance)");
+       "For a trace: largest deviation of each rotary axis, in degrees (default: the number of --tolerance)");
   choose(sub, "--frame", options->frame, {"workpiece", "machine"},
-         "Trace: its coordinates, workpiece (default: the axes of the events) or machine");
-  take(sub, "--operator", options->operated, "NAME", "Who certifies, for the first page of the report");
+         "For a trace: its coordinates, workpiece (default) or machine");
+  take(sub, "--operator", options->operated, "NAME",
+       "Name of the person who certifies, for the first page of the report");
   take(sub, "--serial", options->serial, "TEXT", "Serial number of the controller, for the first page of the report");
   take_samples(sub, options->samples);
 }
@@ -77,9 +78,9 @@ void define_verify(CommandLine& line) {
   const auto options = std::make_shared<VerifyOptions>();
   CLI::App* sub = line.verb(
       "verify",
-      "Check the evidence of a certificate, and judge cases of it again\n"
-      "Checks that a bundle of evidence is whole and says what its certificate says, and judges cases of it again: a "
-      "sample of any seed, or all.",
+      "Check the evidence of a certificate, and judge some of its cases again\n"
+      "Checks that a bundle of evidence is complete and agrees with its certificate. Then judges cases of the bundle "
+      "again: a random sample, or all of them.",
       [options] { return verify(*options); });
   sub->footer(R"(Examples:
   A certificate of one program, with its evidence:
@@ -88,10 +89,10 @@ void define_verify(CommandLine& line) {
   Whether it is what it says:
     $ toolcomp verify part.tar.zst)");
   take(sub, "file", options->file, "FILE", "The file that certify --evidence wrote")->required();
-  take(sub, "--sample", options->sample, "N", "So many cases are judged again")->capture_default_str();
-  take(sub, "--seed", options->seed, "N", "Seed of their choice (default: any)");
-  sub->add_flag("--all", options->all, "All cases are judged again, and generated ones made again");
-  take(sub, "--corpus", options->corpus, "FOLDER", "Folder of the golden corpus it rests on");
+  take(sub, "--sample", options->sample, "N", "Number of cases to judge again")->capture_default_str();
+  take(sub, "--seed", options->seed, "N", "Seed of the sample (default: random)");
+  sub->add_flag("--all", options->all, "Judge all cases again, and generate the generated ones again");
+  take(sub, "--corpus", options->corpus, "FOLDER", "Folder of the golden corpus that the certificate used");
 }
 
 void define_replay(CommandLine& line) {
@@ -99,9 +100,10 @@ void define_replay(CommandLine& line) {
   CLI::App* sub = line.verb(
       "replay",
       "Judge a finding again\n"
-      "Asks the controller of a finding once more, and judges the answer. The command and the folder that the finding "
-      "names are shown, and run only if you say so: at the terminal, or by --yes. A finding is a case: any case can be "
-      "replayed.",
+      "Asks the controller of a finding again, and judges the answer. The command first shows the controller's command "
+      "and folder that the finding names, and runs them only after you confirm, at the terminal or with --yes. Any "
+      "case "
+      "can be replayed.",
       [options] { return replay(*options); });
   sub->footer(R"(Examples:
   A case of one's own:
@@ -110,7 +112,7 @@ void define_replay(CommandLine& line) {
   take(sub, "--controller", options->controller, "CONTROLLER",
        "Judge this controller (default: the one of the finding)");
   sub->add_flag("--yes,-y", options->yes, "Run the command that the finding names without asking");
-  take_timeout(sub, options->timeout, "Seconds the case may take");
+  take_timeout(sub, options->timeout, "Seconds that the case may take");
 }
 
 void define_kit_make(CommandLine& line, CLI::App* kit) {
@@ -125,12 +127,13 @@ void define_kit_make(CommandLine& line, CLI::App* kit) {
   take(sub, "--out", options->out, "FOLDER", "Folder of the kit, empty or not yet there")->required();
   take(sub, "--corpus", options->corpus, "FOLDER", "Folder of the golden corpus");
   take(sub, "--controller", options->controller, "ADAPTER",
-       "Adapter of the control (docs/adapters.md); what it cannot run stays at home");
+       "Adapter of the control (docs/adapters.md); programs that it cannot run are left out");
   take(sub, "--adapters", options->adapters, "FOLDER", "Folder of adapters, searched first (repeatable)");
-  take(sub, "--cases", options->cases, "N", "FANUC: so many programs made for this machine are candidates besides");
+  take(sub, "--cases", options->cases, "N",
+       "FANUC: number of programs that are generated for this machine as further candidates");
   take(sub, "--seed", options->seed, "N", "Seed of these programs")->capture_default_str();
-  take(sub, "--first-offset", options->first_offset, "N", "Offset numbers from here on are overwritten", 1U, 999U);
-  take(sub, "--tolerance", options->tolerance, "LENGTH", "What moves a path by less is not counted (default: 0.05)");
+  take(sub, "--first-offset", options->first_offset, "N", "First offset number that the kit may overwrite", 1U, 999U);
+  take(sub, "--tolerance", options->tolerance, "LENGTH", "Smallest change of a path that counts (default: 0.05)");
 }
 
 void define_kit_judge(CommandLine& line, CLI::App* kit) {
@@ -141,18 +144,19 @@ void define_kit_judge(CommandLine& line, CLI::App* kit) {
   take(sub, "recordings", options->recordings, "FILE", "CSV files, or folders of them");
   take(sub, "--alarms", options->alarms, "FILE", "The alarm form, filled in (default: alarms.csv of the kit)");
   take(sub, "--tolerance", options->tolerance, "LENGTH",
-       "Greatest distance of a recording from the exact path, no more than that of the kit");
+       "Largest distance of a recording from the exact path, at most that of the kit");
   sub->add_flag("--machine-coordinates", options->machine_coordinates,
-                "Recordings are of machine coordinates, not of those of G54");
+                "The recordings are in machine coordinates, not in those of G54");
   sub->add_flag("--rapids-by-axis", options->rapids_by_axis,
-                "The control positions axis by axis: rapid moves are judged by their ends, and each axis between");
+                "The control positions axis by axis: judge the ends of rapid moves, and each axis in between");
   take(sub, "--report", options->report, "FOLDER", "Folder of the certificate");
 }
 
 void define_kit(CommandLine& line) {
-  CLI::App* kit = line.family("kit",
-                              "Programs, offsets and run sheet for a control without a pipe; its recordings judged\n"
-                              "For a control that nobody can pipe cases into (docs/kits.md).");
+  CLI::App* kit =
+      line.family("kit",
+                  "Programs, offsets and run sheet for a control without a pipe, and a judge for its recordings\n"
+                  "For a control that cannot be asked through a pipe (docs/kits.md).");
   define_kit_make(line, kit);
   define_kit_judge(line, kit);
   kit->footer(R"(Examples:

@@ -17,31 +17,33 @@ void define_fuzz(CommandLine& line) {
       "Searches for programs on which two engines, or a controller and the model, differ. Every finding is shrunk and "
       "kept in a folder of its own (NAME/finding.json, for `toolcomp replay`). --campaign keeps everything in a folder "
       "and "
-      "goes on where it stopped (docs/campaigns.md).",
+      "resumes where it stopped (docs/campaigns.md).",
       [options] { return fuzz(*options); });
   sub->footer(R"(Examples:
   One section, for a hundred programs:
     $ toolcomp fuzz --section fanuc/tool-offset --runs 100 --seed 1 --built-in)");
   take_sections(sub, options->sections);
   take(sub, "--for", options->duration, "TIME",
-       "How long in all: 60s, 10m, 1h (default without --runs: 60s, with --campaign without end)");
-  take(sub, "--runs", options->runs, "N", "Executions a section, half for each of its targets, instead of a time");
-  take(sub, "--jobs", options->jobs, "N", "Workers side by side", 1U, 256U);
+       "Total time: 60s, 10m, 1h (default without --runs: 60s; with --campaign: no limit)");
+  take(sub, "--runs", options->runs, "N",
+       "Executions of each section instead of a time; each of its two targets gets half");
+  take(sub, "--jobs", options->jobs, "N", "Number of workers in parallel", 1U, 256U);
   take(sub, "--seed", options->seed, "N", "Seed of every random choice");
   take(sub, "--controller", options->controller, "CONTROLLER", "Judge this controller instead of the fast engine");
   take(sub, "--findings", options->findings, "FOLDER",
-       "Folder that gets a folder of each finding (default without --campaign: findings)");
+       "Write each finding into a folder of its own in here (default without --campaign: findings)");
   take_accept_resolution(sub, options->accept_resolution);
-  take_timeout(sub, options->timeout, "Seconds a case may take the controller");
+  take_timeout(sub, options->timeout, "Seconds that the controller may take for a case");
   take(sub, "--campaign", options->campaign, "FOLDER",
-       "Keep everything in this folder (docs/campaigns.md), and go on where it stopped");
-  take(sub, "--target", options->targets, "TARGET", "This target (repeatable), besides those of --section");
-  take(sub, "--shard", options->shard, "I/N", "I/N, with other seeds than the other shards");
+       "Keep everything in this folder (docs/campaigns.md), and resume where it stopped");
+  take(sub, "--target", options->targets, "TARGET", "Also this target (repeatable)");
+  take(sub, "--shard", options->shard, "I/N", "I/N: machine I of N, each with its own seeds");
   take(sub, "--merge", options->merge, "FOLDER", "Merge these campaigns into the new one of --campaign")
       ->allow_extra_args();
-  sub->add_flag("--built-in", options->built_in, "Without the clang targets, where they are");
-  sub->add_flag("--no-specification", options->no_specification, "Without the formal specification as third voice");
-  sub->add_flag("--json", options->json, "The summary as JSON on standard output");
+  sub->add_flag("--built-in", options->built_in, "Use the built-in driver even if the clang targets are built");
+  sub->add_flag("--no-specification", options->no_specification,
+                "Do not ask the formal specification as a third engine");
+  sub->add_flag("--json", options->json, "Print the summary as JSON on standard output");
 }
 
 void define_worker(CommandLine& line) {

@@ -30,10 +30,9 @@ void define_run(CommandLine& line) {
       "Run a program and print its events\n"
       "Runs the program under the rules of its control and prints each event: moves, samples, alarms, settings. The "
       "model computes exactly and prints correctly rounded decimals; the fast engine computes in double.\n"
-      "An alarm of the control is a result, not a failure: it is the last event, with one line on standard error that "
-      "names its place, and the exit status is 0. Where a word is not supported, or positions are not known after it, "
-      "the "
-      "run ends with exit status 3, and says where and how many blocks it did not look at.",
+      "An alarm of the control is a result, not a failure: it is the last event, one line on standard error names its "
+      "place, and the exit status is 0. If a word is not supported, or positions are not known after it, the run ends "
+      "there with exit status 3. A line on standard error then says where, and how many blocks were not looked at.",
       [options] { return run(*options); });
   sub->footer(R"(Examples:
   Events as JSON, one a line:
@@ -50,8 +49,8 @@ void define_run(CommandLine& line) {
          "jsonl, csv, gcode (ends of blocks; with --samples, also inside), svg or html (a page to step through)");
   take(sub, "--digits", options->digits, "N", "Decimals the model prints", 0, kMostDigits);
   choose(sub, "--notes", options->notes, kOnOff,
-         "on (default) or off: what a reader of the program should know, as events of the kind note and on standard "
-         "error; no verdict depends on it");
+         "on (default) or off: hints for the reader of the program, as events of the kind note and on standard error; "
+         "no verdict depends on them");
   take_samples(sub, options->samples);
 }
 
@@ -59,7 +58,7 @@ void define_diff(CommandLine& line) {
   const auto options = std::make_shared<DiffOptions>();
   CLI::App* sub = line.verb(
       "diff",
-      "Model against fast; the first difference explained\n"
+      "Compare the model with the fast engine, and explain the first difference\n"
       "Runs the program in the exact model and in the fast engine and judges every value. The first difference is "
       "printed with its clause.",
       [options] { return diff(*options); });
@@ -69,17 +68,16 @@ void define_diff(CommandLine& line) {
   take_program(sub, options->program, options->setup);
   take_samples(sub, options->samples);
   choose(sub, "--engines", options->specification, kPairs,
-         "model,fast (default), or model,spec: the formal specification in its place");
+         "model,fast (default), or model,spec for the formal specification instead of fast");
 }
 
 void define_explain(CommandLine& line) {
   const auto options = std::make_shared<ExplainOptions>();
-  CLI::App* sub = line.verb(
-      "explain",
-      "Block by block: clauses, decisions, exact and double values\n"
-      "Says block by block which clauses acted, what was decided and how near each decision was, with exact and double "
-      "values.",
-      [options] { return explain(*options); });
+  CLI::App* sub = line.verb("explain",
+                            "Block by block: clauses, decisions, exact and double values\n"
+                            "Prints for each block the clauses that applied, each decision and how close it was, with "
+                            "exact and double values.",
+                            [options] { return explain(*options); });
   sub->footer(R"(Examples:
   One block:
     $ toolcomp explain part.nc --block 5
@@ -98,16 +96,19 @@ void define_view(CommandLine& line) {
       "view",
       "A page to step through a program: blocks, drawing, clauses and exact numbers\n"
       "The page has the blocks of the program, the drawing in space, and the clauses and exact numbers of the block "
-      "under the cursor. It needs nothing beside it and no network (docs/view.md).",
+      "under the cursor. It is one file and needs no network (docs/view.md).",
       [options] { return view(*options); });
   sub->footer(R"(Examples:
   A page beside the program:
     $ toolcomp view part.nc)");
   take_program(sub, options->program, options->setup);
-  take(sub, "--out", options->out, "FILE", "The page (default: the program's name with .html, here); - prints it");
-  CLI::Option* const serve = sub->add_flag(
-      "--serve", options->serve, "Serve it on 127.0.0.1 instead, again whenever the program or its setup changes");
-  take(sub, "--port", options->port, "N", "The port of --serve; 0: any (default: 8600, or any)", 0, kLastPort)
+  take(sub, "--out", options->out, "FILE",
+       "Where to write the page (default: the program's name with .html, in this folder); - prints it");
+  CLI::Option* const serve =
+      sub->add_flag("--serve", options->serve,
+                    "Serve the page on 127.0.0.1 instead, and reload it when the program or its setup changes");
+  take(sub, "--port", options->port, "N", "Port of --serve; 0: any free port (default: 8600, or any free port)", 0,
+       kLastPort)
       ->needs(serve);
   take_samples(sub, options->samples);
   take(sub, "--digits", options->digits, "N", "Decimals of exact numbers", 0, kMostDigits);
@@ -115,12 +116,12 @@ void define_view(CommandLine& line) {
 
 void define_serve(CommandLine& line) {
   const auto engine = std::make_shared<EngineName>(EngineName::fast);
-  CLI::App* sub = line.verb(
-      "serve",
-      "Speak the controller protocol on standard input and output\n"
-      "Answers the controller protocol (docs/protocol.md): a JSON object a line in, an answer a line out. It is how "
-      "our own engines are certified, and an example of a controller.",
-      [engine] { return serve(*engine); });
+  CLI::App* sub = line.verb("serve",
+                            "Speak the controller protocol on standard input and output\n"
+                            "Answers the controller protocol (docs/protocol.md): reads a JSON object from each line, "
+                            "and answers with one line. "
+                            "This is how our own engines are certified. It is also an example of a controller.",
+                            [engine] { return serve(*engine); });
   sub->footer(R"(Examples:
   What it can do:
     $ echo '{"hello":1}' | toolcomp serve --engine fast)");

@@ -29,36 +29,36 @@ void define_long_programs(CommandLine& line, CLI::App* family) {
   const auto options = std::make_shared<LongProgramOptions>();
   const auto add = [&](const char* name, const char* about, int (*action)(const LongProgramOptions&)) {
     CLI::App* sub = line.verb(family, name, about, [options, action] { return action(*options); });
-    take(sub, "--out", options->out, "FILE", "The program to write; its setup goes beside it, ending in .toml")
+    take(sub, "--out", options->out, "FILE", "The program to write; its setup gets the same name, ending in .toml")
         ->required();
     return sub;
   };
   CLI::App* sub = add("contour", "Write a closed contour of short lines and arcs", corpus_contour);
   corpus::ContourOptions& contour = options->contour;
-  take(sub, "--blocks", contour.blocks, "N", "How many lines and arcs; default: 100000", corpus::kLeastContour,
+  take(sub, "--blocks", contour.blocks, "N", "Number of lines and arcs (default: 100000)", corpus::kLeastContour,
        kMostContour);
   take(sub, "--seed", contour.seed, "N", "Seed of every random choice");
-  take(sub, "--arcs", contour.arcs, "N", "How many of 100 blocks are arcs; default: 40", 0U, 100U);
+  take(sub, "--arcs", contour.arcs, "N", "Arcs among 100 blocks (default: 40)", 0U, 100U);
   choose(sub, "--variant", contour.variant, kVariants, "pocket, island or tight (ends in PS0041)");
   choose(sub, "--place", contour.place, kPlaces, "tight: the place that raises PS0041, arc or groove");
-  take(sub, "--at", contour.at, "N", "tight: from which block on the place is (default: the middle)");
+  take(sub, "--at", contour.at, "N", "tight: block from which that place is looked for (default: the middle)");
 
   sub = add("flank", "Write the five-axis flank of a blade", corpus_flank);
-  take(sub, "--blocks", options->flank.blocks, "N", "How many blocks; default: 20000", corpus::kLeastFlank,
+  take(sub, "--blocks", options->flank.blocks, "N", "Number of blocks (default: 20000)", corpus::kLeastFlank,
        corpus::kMostFlank);
   choose(sub, "--tool", options->flank.tool, kTools, "The tool axis by B and C (rotary) or by I J K (vector)");
 
   sub = add("freeform", "Write LN blocks over a free-form surface", corpus_freeform);
-  take(sub, "--blocks", options->freeform.blocks, "N", "How many LN blocks; default: 500000", corpus::kLeastFreeform,
+  take(sub, "--blocks", options->freeform.blocks, "N", "Number of LN blocks (default: 500000)", corpus::kLeastFreeform,
        corpus::kMostFreeform);
-  sub->add_flag("!--no-tool-vector", options->freeform.tool_vector, "Without TX TY TZ, the tool stays along Z");
+  sub->add_flag("!--no-tool-vector", options->freeform.tool_vector, "No TX TY TZ: the tool stays along Z");
 }
 
 void define_corpus(CommandLine& line) {
   CLI::App* family = line.family(
       "corpus",
       "The golden corpus, hard cases, and makers of long programs\n"
-      "The golden corpus holds cases with proven results, hard cases are those that are hardest for doubles.");
+      "The golden corpus holds cases with proven results. The hard cases are those that are hardest for doubles.");
   const auto options = std::make_shared<CorpusOptions>();
   const auto add = [&](const char* name, const char* about, int (*action)(const CorpusOptions&)) {
     return line.verb(family, name, about, [options, action] { return action(*options); });
@@ -71,26 +71,26 @@ void define_corpus(CommandLine& line) {
     take(sub, "--seed", options->seed, "N", "Seed of every random choice");
   };
 
-  CLI::App* sub = add("generate", "Make the corpus anew", corpus_generate);
+  CLI::App* sub = add("generate", "Generate the corpus", corpus_generate);
   take_sections(sub, options->sections);
   take_folder(sub, "Folder of the corpus (default: corpus/golden of the source tree); with --shard, of the shards");
-  take(sub, "--shard", options->shard, "I/N", "The share of one machine of N, for merge (1 <= I <= N)");
+  take(sub, "--shard", options->shard, "I/N", "Generate only part I of N, for merge (1 <= I <= N)");
   take_seed(sub);
 
-  sub = add("merge", "Make the corpus of the shards in a folder", corpus_merge);
+  sub = add("merge", "Combine the parts in a folder into the corpus", corpus_merge);
   take(sub, "shards", options->against, "FOLDER", "Folder of the shards")->required();
   take_folder(sub, folder);
 
-  sub = add("check", "Judge both engines, or a controller, by the corpus", corpus_check);
+  sub = add("check", "Test both engines, or a controller, with the corpus", corpus_check);
   take_sections(sub, options->sections);
   take_folder(sub, folder);
   take(sub, "--shard", options->shard, "I/N", "Only every N-th vector, from the I-th (1 <= I <= N)");
   take(sub, "--controller", options->controller, "CONTROLLER", "Judge this controller instead of both engines");
 
-  sub = add("lint", "Order, formatting, ids, digests, foreign files", corpus_lint);
+  sub = add("lint", "Check order, formatting, ids, digests, and for files that do not belong there", corpus_lint);
   take_folder(sub, folder);
 
-  sub = add("diff", "What has changed since another corpus", corpus_diff);
+  sub = add("diff", "Print what has changed since another corpus", corpus_diff);
   take(sub, "against", options->against, "FOLDER", "Folder of the other corpus")->required();
   take_folder(sub, folder);
 
@@ -98,9 +98,9 @@ void define_corpus(CommandLine& line) {
   take_sections(sub, options->sections);
   take_folder(sub, folder);
   take(sub, "--into", options->into, "FOLDER", "Folder for Coq's files")->required();
-  take(sub, "--sample", options->sample, "N", "So many vectors of each section, by the seed; 0: all");
+  take(sub, "--sample", options->sample, "N", "Number of vectors of each section, chosen by the seed; 0: all");
   take_seed(sub);
-  sub->add_flag("--tell", options->only_tell, "Have Coq tell which vectors it can compute, instead of proofs");
+  sub->add_flag("--tell", options->only_tell, "Only have Coq tell which vectors it can compute");
 
   sub = add("hard", "Run the hard cases again", corpus_hard);
   take_sections(sub, options->sections);
@@ -118,8 +118,7 @@ void define_spec(CommandLine& line) {
   CLI::App* family = line.family(
       "spec",
       "The clauses, the keys and parameters of setups, and the alarms\n"
-      "Prints the clauses that the rules are made of, where each is found in the sources, and what the golden corpus "
-      "exercises of them.");
+      "Prints the clauses, where each is implemented in the sources, and which of them the golden corpus exercises.");
   const auto options = std::make_shared<SpecOptions>();
   const auto add = [&](const char* name, const char* about, int (*action)(const SpecOptions&)) {
     CLI::App* sub = line.verb(family, name, about, [options, action] { return action(*options); });
@@ -127,17 +126,17 @@ void define_spec(CommandLine& line) {
     return sub;
   };
   add("list", "The clauses", spec_list);
-  take(add("show", "A clause with its source", spec_show), "id", options->id, "CLAUSE", "The clause")->required();
-  take(add("trace", "Where each clause is found in the sources", spec_trace), "--dir", options->directory, "FOLDER",
+  take(add("show", "Print a clause with its source", spec_show), "id", options->id, "CLAUSE", "The clause")->required();
+  take(add("trace", "Where each clause is in the sources", spec_trace), "--dir", options->directory, "FOLDER",
        "Source tree (default: where it was built)");
-  take(add("coverage", "What the golden corpus exercises", spec_coverage), "--dir", options->directory, "FOLDER",
-       "Folder of the corpus (default: where it was built)");
+  take(add("coverage", "Which clauses the golden corpus exercises", spec_coverage), "--dir", options->directory,
+       "FOLDER", "Folder of the corpus (default: where it was built)");
   add("sections", "The sections", spec_sections);
   add("keys", "The keys of a setup", spec_keys);
   add("parameters", "The parameters of a setup", spec_parameters);
   add("alarms", "The alarms by cause, with their numbers", spec_alarms);
   family->footer(R"(Examples:
-  A clause with its source:
+  Print a clause with its source:
     $ toolcomp spec show fanuc.cutter-b.mode
   The parameters that are known:
     $ toolcomp spec parameters)");
@@ -146,9 +145,9 @@ void define_spec(CommandLine& line) {
 void define_config(CommandLine& line) {
   CLI::App* family = line.family(
       "config",
-      "Setups and cases: an example, their schemas, and whether one is valid\n"
-      "A setup says what a program does not: which control runs it, its axes, parameters, offsets and tools. `toolcomp "
-      "spec keys` and `toolcomp spec parameters` list what may stand there.");
+      "Setups and cases: an example, their schemas, and a check\n"
+      "A setup describes what is not in the program: the control, its axes, parameters, offsets and tools. `toolcomp "
+      "spec keys` and `toolcomp spec parameters` list what a setup may contain.");
   const auto value = std::make_shared<std::string>();
   CLI::App* sub = line.verb(family, "example",
                             "Print a commented setup; its first line names the schema for editors (docs/editors.md)",
@@ -157,8 +156,8 @@ void define_config(CommandLine& line) {
   sub = line.verb(family, "schema", "Print a JSON Schema", [value] { return config_schema(*value); });
   choose(sub, "name", *value, {"setup", "case", "event", "hello", "answer", "finding", "manifest"},
          "setup (default), case, event, hello, answer, finding, or manifest of a bundle");
-  sub = line.verb(family, "check", "Read a setup or a case, and say whether it is valid",
-                  [value] { return config_check(*value); });
+  sub =
+      line.verb(family, "check", "Check whether a setup or a case is valid", [value] { return config_check(*value); });
   take(sub, "file", *value, "FILE", "The setup or case")->required();
   family->footer(R"(Examples:
   A setup to begin with:

@@ -40,8 +40,8 @@ void define_manual(CommandLine& line) {
     write_manual(line.program(), wanted->date, wanted->folder);
     return kAgrees;
   });
-  take(sub, "folder", wanted->folder, "FOLDER", "Where they go")->required();
-  take(sub, "--date", wanted->date, "DATE", "Their date, as 2026-01-31")->required();
+  take(sub, "folder", wanted->folder, "FOLDER", "Folder to write to")->required();
+  take(sub, "--date", wanted->date, "DATE", "Date on the pages, as 2026-01-31")->required();
 }
 
 }  // namespace

@@ -15,6 +15,7 @@ function sourceOf({ kind, source }) {
 function clauseWords([id, text, more]) {
   const out = [element('p', {}, element('code', {}, id), ' ', element('span', { class: 'kind' }, sourceOf(more))), element('p', {}, text)];
   if (more.formula) out.push(element('p', { class: 'formula' }, more.formula));
+  if (more.notation) out.push(element('ul', { class: 'notation' }, ...more.notation.map((t) => element('li', {}, t))));
   if (more.alternatives)
     out.push(element('details', {}, element('summary', {}, 'other readings'), element('ul', {}, ...more.alternatives.map((t) => element('li', {}, t)))));
   return out;

@@ -4,11 +4,13 @@
 
 #include <toml++/toml.h>
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <iostream>
 #include <iterator>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -25,6 +27,7 @@ using toolcomp::spec::write_changed;
 struct ClauseText {
   std::string id, enumerator, section, file, kind, known, document, edition, page, words, text, formula, outcomes;
   std::string positive, negative, tie, reason, unreachable_reason, replaced_by;
+  std::vector<std::string> notation;
   std::vector<std::string> parameters, alternatives, unreachable;
   bool testable = true;
   bool makes_value = false;
@@ -40,6 +43,69 @@ std::vector<std::string> list_of(const toml::table& table, std::string_view key)
 }
 
 std::string joined(const std::vector<std::string>& list) { return fmt::format("{}", fmt::join(list, "\n")); }
+
+// A line of a file's [notation] table: the symbols as written there ("t1, t2", "N(t)"), and what they mean.
+struct Symbols {
+  std::string written, meaning;
+  toml::source_region place;
+};
+using Notation = std::vector<Symbols>;
+
+bool in_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '\''; }
+
+// The names in a text: letters, digits, _ and '. In prose not the article "a"; in the head of a notation not what is in
+// brackets, an argument.
+enum class In { prose, formula, head };
+std::set<std::string> names_in(std::string_view text, In where) {
+  const bool prose = where == In::prose;
+  std::set<std::string> names;
+  std::string name;
+  int depth = 0;
+  for (std::size_t i = 0; i <= text.size(); ++i) {
+    const char c = i < text.size() ? text[i] : ' ';
+    if (in_name(c)) {
+      name += c;
+      continue;
+    }
+    // The id of a clause.
+    if (prose && c == '.' && (name == "fanuc" || name == "heidenhain")) {
+      i = std::min(text.find_first_of(" ,;:()", i), text.size());
+      name.clear();
+    }
+    const bool begins = i == name.size() || (i > 2 && text[i - 3] == '.');
+    const bool article = prose && c == ' ' && i + 1 < text.size() && (name == "a" || (name == "A" && begins)) &&
+                         std::islower(static_cast<unsigned char>(text[i + 1])) != 0;
+    if (!name.empty() && !article && (where != In::head || depth == 0)) names.insert(name);
+    name.clear();
+    depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+  }
+  return names;
+}
+
+Notation read_notation(const std::filesystem::path& file, const toml::table& root) {
+  Notation notation;
+  const auto* table = root["notation"].as_table();
+  if (table == nullptr) return notation;
+  for (const auto& [key, value] : *table) {
+    notation.push_back({std::string(key.str()), value.value_or(std::string()), key.source()});
+    if (notation.back().meaning.empty()) fail(file, key.source(), "a symbol needs its meaning, a text");
+  }
+  // In the order of the file: the table is sorted by name.
+  std::ranges::sort(notation, {}, [](const Symbols& symbols) { return symbols.place.begin.line; });
+  return notation;
+}
+
+// Those of which the text or the formula of the clause has a symbol, "SYMBOLS: MEANING".
+void explain_symbols(ClauseText& clause, const Notation& notation, std::set<const Symbols*>& used) {
+  std::set<std::string> names = names_in(clause.text, In::prose);
+  names.merge(names_in(clause.formula, In::formula));
+  for (const Symbols& symbols : notation)
+    if (std::ranges::any_of(names_in(symbols.written, In::head),
+                            [&](const std::string& n) { return names.contains(n); })) {
+      clause.notation.push_back(fmt::format("{}: {}", symbols.written, symbols.meaning));
+      used.insert(&symbols);
+    }
+}
 
 constexpr std::string_view kKeys[] = {
     "id",         "kind",         "source",   "text",   "formula",     "parameters",         "alternatives",
@@ -107,10 +173,19 @@ std::vector<ClauseText> read_folder(const std::filesystem::path& folder) {
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
     if (entry.path().extension() == ".toml") files.push_back(entry.path());
   std::ranges::sort(files);
+  std::map<std::filesystem::path, Notation> notations;
+  for (const auto& file : files) notations[file] = read_notation(file, toml::parse_file(file.string()));
   std::vector<ClauseText> clauses;
   std::set<std::string> enumerators;
+  std::set<const Symbols*> used;
   for (const auto& file : files) {
     const toml::table root = toml::parse_file(file.string());
+    std::vector<std::filesystem::path> letters_of{file};
+    for (const std::string& other : list_of(root, "letters_of")) {
+      letters_of.push_back(file.parent_path() / other);
+      if (!notations.contains(letters_of.back()))
+        fail(file, root["letters_of"].node()->source(), fmt::format("no file {}", other));
+    }
     const std::string section = text_of(root, "section");
     if (section.empty()) fail(file, root.source(), "a clause file begins with section = \"…\"");
     const auto* array = root["clause"].as_array();
@@ -118,10 +193,15 @@ std::vector<ClauseText> read_folder(const std::filesystem::path& folder) {
     for (const auto& item : *array) {
       if (!item.is_table()) fail(file, item.source(), "[[clause]] must be a table");
       clauses.push_back(read_clause(file, section, *item.as_table()));
+      for (const auto& from : letters_of) explain_symbols(clauses.back(), notations.at(from), used);
       if (!enumerators.insert(clauses.back().enumerator).second)
         fail(file, item.source(), fmt::format("{}: this id is used twice", clauses.back().id));
     }
   }
+  for (const auto& [file, notation] : notations)
+    for (const Symbols& symbols : notation)
+      if (!used.contains(&symbols))
+        fail(file, symbols.place, fmt::format("no clause has the symbol {}", symbols.written));
   return clauses;
 }
 
@@ -133,6 +213,7 @@ constexpr std::string_view kHeader = R"(// Generated from the clause files. Do n
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace toolcomp::spec {{
 
@@ -154,7 +235,9 @@ struct ClauseInfo {{
   Known known;
   std::string_view document, edition, page;
   std::string_view words;  // on the source: which part of the clause is the page's
-  std::string_view text, formula, parameters, alternatives;
+  std::string_view text, formula;
+  std::string_view notation;  // the symbols in both, "SYMBOLS: MEANING"
+  std::string_view parameters, alternatives;
   ClauseOutcomes outcomes;
   std::string_view positive, negative, tie;  // what each outcome means; a fact has true as positive, false as negative
   bool testable;
@@ -165,6 +248,8 @@ struct ClauseInfo {{
 const ClauseInfo& info(Clause clause);
 std::span<const ClauseInfo> clauses();
 std::optional<Clause> find_clause(std::string_view id);
+// The items of a list that is separated by line feeds.
+std::vector<std::string_view> items(std::string_view list);
 
 }}  // namespace toolcomp::spec
 )";
@@ -187,6 +272,15 @@ std::optional<Clause> find_clause(std::string_view id) {{
     if (kClauses[i].id == id) return static_cast<Clause>(i);
   return std::nullopt;
 }}
+std::vector<std::string_view> items(std::string_view list) {{
+  std::vector<std::string_view> all;
+  while (!list.empty()) {{
+    const std::size_t end = list.find('\n');
+    all.push_back(list.substr(0, end));
+    list.remove_prefix(end == std::string_view::npos ? list.size() : end + 1);
+  }}
+  return all;
+}}
 
 }}  // namespace toolcomp::spec
 )";
@@ -198,13 +292,13 @@ void generate(const std::filesystem::path& folder, const std::filesystem::path& 
   for (const ClauseText& c : clauses) {
     enumerators += fmt::format("  {},\n", c.enumerator);
     rows += fmt::format(
-        "    ClauseInfo{{{}, {}, {}, ClauseKind::{}, Known::{}, {}, {}, {}, {},\n      {}, {},\n      {}, {}, "
+        "    ClauseInfo{{{}, {}, {}, ClauseKind::{}, Known::{}, {}, {}, {}, {},\n      {}, {}, {},\n      {}, {}, "
         "ClauseOutcomes::{},\n      {}, {}, {}, {}, {}, {}, {}, {}, {}}},\n",
         literal(c.id), literal(c.section), literal(c.file), c.kind, c.known, literal(c.document), literal(c.edition),
-        literal(c.page), literal(c.words), literal(c.text), literal(c.formula), literal(joined(c.parameters)),
-        literal(joined(c.alternatives)), c.outcomes, literal(c.positive), literal(c.negative), literal(c.tie),
-        c.testable, literal(c.reason), literal(joined(c.unreachable)), literal(c.unreachable_reason),
-        literal(c.replaced_by), c.makes_value);
+        literal(c.page), literal(c.words), literal(c.text), literal(c.formula), literal(joined(c.notation)),
+        literal(joined(c.parameters)), literal(joined(c.alternatives)), c.outcomes, literal(c.positive),
+        literal(c.negative), literal(c.tie), c.testable, literal(c.reason), literal(joined(c.unreachable)),
+        literal(c.unreachable_reason), literal(c.replaced_by), c.makes_value);
   }
   write_changed(output / "clauses.h", fmt::format(kHeader, enumerators, clauses.size()));
   write_changed(output / "clauses.cpp", fmt::format(kSource, rows));

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "spec/trace/coverage.h"
 
+#include <algorithm>
+
 #include "spec/trace/trace.h"
 
 namespace toolcomp::spec {
 namespace {
 
-// Is `name` one of the lines of `list`?
+// Is `name` one of the items of `list`?
 bool contains_line(std::string_view list, std::string_view name) {
-  while (!list.empty()) {
-    const std::size_t end = list.find('\n');
-    if (list.substr(0, end) == name) return true;
-    if (end == std::string_view::npos) return false;
-    list.remove_prefix(end + 1);
-  }
-  return false;
+  const std::vector<std::string_view> all = items(list);
+  return std::ranges::find(all, name) != all.end();
 }
 
 }  // namespace

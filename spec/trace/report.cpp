@@ -21,16 +21,6 @@ constexpr std::array<std::string_view, 3> kOutcomes{"sign", "fact", "reach"};
 
 std::string_view kind_name(ClauseKind kind) { return kKinds.at(static_cast<std::size_t>(kind)); }
 
-std::vector<std::string_view> lines(std::string_view list) {
-  std::vector<std::string_view> items;
-  while (!list.empty()) {
-    const std::size_t end = list.find('\n');
-    items.push_back(list.substr(0, end));
-    list.remove_prefix(end == std::string_view::npos ? list.size() : end + 1);
-  }
-  return items;
-}
-
 // Appends JSON members and elements with their commas.
 class Json {
  public:
@@ -103,8 +93,8 @@ void append_clause(Json& json, const ClauseInfo& c) {
       .member("kind", kind_name(c.kind));
   json.key("source").open('{').member("known", known_name(c.known)).member("document", c.document);
   json.member("edition", c.edition).member("page", c.page).member("words", c.words).close('}');
-  json.member("text", c.text).member("formula", c.formula);
-  json.members("parameters", lines(c.parameters)).members("alternatives", lines(c.alternatives));
+  json.member("text", c.text).member("formula", c.formula).members("notation", items(c.notation));
+  json.members("parameters", items(c.parameters)).members("alternatives", items(c.alternatives));
   json.member("outcomes", kOutcomes.at(static_cast<std::size_t>(c.outcomes)));
   if (!c.positive.empty()) {
     const bool fact = c.outcomes == ClauseOutcomes::fact;
@@ -112,8 +102,8 @@ void append_clause(Json& json, const ClauseInfo& c) {
     json.member(fact ? "false" : "negative", c.negative).member("tie", c.tie).close('}');
   }
   json.key("testable").value(c.testable).member("reason", c.reason);
-  json.members("unreachable", lines(c.unreachable)).member("unreachable_reason", c.unreachable_reason);
-  json.members("replaced_by", lines(c.replaced_by)).close('}');
+  json.members("unreachable", items(c.unreachable)).member("unreachable_reason", c.unreachable_reason);
+  json.members("replaced_by", items(c.replaced_by)).close('}');
 }
 
 // Ids for somebody who wrote another: those it is a part of, or else those of the nearest family ("fanuc.cutter" of
@@ -213,14 +203,15 @@ std::string show_clause(std::string_view id, ReportFormat format) {
   append_line(out, "source", cited(c));
   append_line(out, "text", c.text);
   append_line(out, "formula", c.formula);
-  append_line(out, "parameters", fmt::format("{}", fmt::join(lines(c.parameters), ", ")));
-  for (const std::string_view alternative : lines(c.alternatives)) append_line(out, "alternative", alternative);
+  for (const std::string_view symbols : items(c.notation)) append_line(out, "notation", symbols);
+  append_line(out, "parameters", fmt::format("{}", fmt::join(items(c.parameters), ", ")));
+  for (const std::string_view alternative : items(c.alternatives)) append_line(out, "alternative", alternative);
   const bool fact = c.outcomes == ClauseOutcomes::fact;
   append_line(out, fact ? "true" : "positive", c.positive);
   append_line(out, fact ? "false" : "negative", c.negative);
   append_line(out, "tie", c.tie);
   if (!c.testable) append_line(out, "not testable", c.reason);
-  for (const std::string_view outcome : lines(c.unreachable))
+  for (const std::string_view outcome : items(c.unreachable))
     append_line(out, "unreachable", fmt::format("{}: {}", outcome, c.unreachable_reason));
   append_line(out, "replaced by", c.replaced_by);
   return out;
