@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inputs written by hand: the worked examples of the manuals, and one program for each rule that chance seldom meets.
+// Inputs written by hand: the worked examples of the manuals, and one program for each rule that generated programs
+// seldom meet.
 #pragma once
 
 #include <cstdint>
@@ -8,17 +9,18 @@
 
 namespace toolcomp::corpus {
 
-// The comment says where the example is from and what it must give, in words and figures worked out by hand; tests hold
-// the vectors to them.
+// The comment says where the example is from and what it must give, in words and figures worked out by hand. The tests
+// compare the vectors with these figures.
 struct Example {
   std::string_view comment;
   std::string_view setup;  // TOML; a FANUC control without 1411 has F100 at power-on
   std::string_view program;
-  // What the vector, both engines and the laws are held to: a row an event, each ending with a line feed, typed in from
-  // the derivation in the form of the section (tests/golden/rows.h, pose_rows.h, space_rows.h). Empty: a table in
-  // tests/golden has them. NOLINTNEXTLINE(*-redundant-member-init): GCC warns where braces leave it out otherwise
+  // The expected events, with which tests compare the vector, both engines and the laws: one row for each event, ending
+  // with a line feed, typed in from the derivation in the form of the section (tests/golden/rows.h, pose_rows.h,
+  // space_rows.h). If it is empty, a table in tests/golden has the rows.
+  // NOLINTNEXTLINE(*-redundant-member-init): otherwise GCC warns if braces leave it out
   std::string_view figures = {};
-  std::uint32_t samples = 0;  // parts of a block, of which samples are wanted
+  std::uint32_t samples = 0;  // into how many parts samples divide a block; 0: no samples
 };
 
 // A file of vectors made of examples.

@@ -21,7 +21,7 @@ PARAMETERS = [
     ("5006#6", [0, 1], "fanuc/tool-length-offset", "5006#6 = 1"),
     ("3403#5", [0, 1], "fanuc/tool-length-offset", "With CIR = 0"),
     ("3410", [0, "1.999"], "fanuc/tool-length-offset", "The same, with 3410 = 1.999"),
-    ("3411", [0, 8], "fanuc/cutter-compensation-c", "M08 by No. 3411"),
+    ("3411", [0, 8], "fanuc/cutter-compensation-c", "M08 stops the look-ahead if No. 3411"),
     ("5008#1", [0, 1], "fanuc/cutter-compensation-c", "CNC = 1, a groove"),
     ("5008#3", [0, 1], "fanuc/cutter-compensation-c", "CNV = 1 on series 30i: no vector"),
     ("19625", [3, 5], "fanuc/cutter-compensation-c", "The 30i reads five blocks"),

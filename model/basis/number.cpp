@@ -45,15 +45,15 @@ Numbers::Numbers(const spec::Setup& setup, Recorder& recorder)
 
 Rational Numbers::counted(const spec::Decimal& word, const Rational& increment) const {
   const bool counts = !word.point && !as_written_;
-  // fanuc.program.least-increments: With 3401#0 = 0 a number without decimal point counts least input increments for X
-  // Y Z A B C U V W I J K R: 0.01 (IS-A), 0.001 (IS-B) or 0.0001 (IS-C) mm or degrees; in inch input a tenth of that
-  // number, in inches, for linear words.
+  // fanuc.program.least-increments: With 3401#0 = 0 a number without decimal point in X Y Z A B C U V W I J K R counts
+  // least input increments. The increment is 0.01 (IS-A), 0.001 (IS-B) or 0.0001 (IS-C) mm or degrees. In inch input
+  // the increment of a linear word is a tenth of that number, in inches.
   return recorder_.decide(Clause::fanuc_program_least_increments, counts) ? plain(word) * increment : plain(word);
 }
 
 Rational Numbers::converted(const Rational& value) const {
-  // fanuc.program.units: Where the units of the program differ from those of the setup, a linear word is converted by
-  // the exact factor 25.4.
+  // fanuc.program.units: If the units of the program differ from those of the setup, a linear word is converted by the
+  // exact factor 25.4.
   if (!recorder_.decide(Clause::fanuc_program_units, program_ != setup_)) return value;
   const Rational mm_in_an_inch(254, 10);
   return setup_ == spec::Units::mm ? value * mm_in_an_inch : value / mm_in_an_inch;

@@ -10,9 +10,10 @@ namespace {
 
 Warning branch_warning() {
   Warning warning{"posture-branch", "the axes cannot follow the plane to the commanded positions", {}};
-  // fanuc.tool-posture.branch-mismatch: Where the end pair found along the great circle is not the one that has to be
-  // reached the block runs under conventional control, with the warning posture-branch right before its own move and
-  // the samples of that, behind every inserted move that stands there and behind ARC_PLANE_MISMATCH.
+  // fanuc.tool-posture.branch-mismatch: If the end pair found along the great circle is not the one that has to be
+  // reached, the block runs under conventional control, with the warning posture-branch. The warning comes just before
+  // the own move of the block and the samples of that move, after every inserted move there and after
+  // ARC_PLANE_MISMATCH.
   warning.clauses.add(Clause::fanuc_tool_posture_branch_mismatch);
   return warning;
 }

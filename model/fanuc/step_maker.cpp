@@ -99,8 +99,8 @@ void StepMaker::find_legs(Making& now) {
   if (!shifts_system_) now.plan = length_.plan(length_command(command));
   if (!shifts_system_ && !tip.tip_control && now.plan.changed)
     recorder_.decide(Clause::fanuc_length_offset_shifted_system, false);
-  // fanuc.length-offset.move-without-axis-word: Without an axis word a travel of zero is assumed: the offset axis still
-  // moves by the change of its offset. Where the offset does not change there is no move.
+  // fanuc.length-offset.move-without-axis-word: Without an axis word a travel of zero is assumed, and the offset axis
+  // still moves by the change of its offset. If the offset does not change, there is no move.
   const bool may_move = legs.empty() && !command.cycle.makes_holes() && (!shifts_system_ || tip.tip_control);
   const bool moves =
       tip.ends ? tip.takes_back && !command.cycle.makes_holes()
@@ -108,12 +108,12 @@ void StepMaker::find_legs(Making& now) {
   if (legs.empty() && moves) legs.push_back(tool_offset_.shifted(interpreter_.stay(command)));
 }
 
-// fanuc.length-offset.shifted-system: With TOS (5006#6) = 1 the length offset shifts the coordinate system: where it
-// changes, the programmed position of its axes is renamed by the change and nothing moves; G43, G44 and G49 alone make
-// no move, and with a move the system is shifted first. Under G91 the axes then go by the words alone. With 0 the axes
-// move.
-// fanuc.length-offset.shifted-in-compensation: A length offset that shifts the system while a compensation by radius is
-// on before or after the block leaves the run undecided at that block.
+// fanuc.length-offset.shifted-system: With TOS (5006#6) = 1 the length offset shifts the coordinate system, with TOS =
+// 0 the axes move. When the offset changes with TOS = 1, the programmed position of its axes is renamed by the change
+// and nothing moves. G43, G44 and G49 alone make no move, and in a block with a move the system is shifted first. Under
+// G91 the axes then go by the words alone.
+// fanuc.length-offset.shifted-in-compensation: If a length offset shifts the system while a compensation by radius is
+// on before or after the block, the run ends undecided at that block.
 void StepMaker::shift_system(Making& now) {
   const LengthVector before = length_.vector();
   now.plan = length_.plan(length_command(now.command));
@@ -134,8 +134,8 @@ LengthCommand StepMaker::length_command(const Command& command) const {
   result.h = command.codes.h;
   result.plane = command.plane;
   // fanuc.canned-cycle.length-offset: The length offset in force after the words of the block counts for the whole
-  // hole: the axes of its event are those of the end of the block, with it. Type C takes the drilling axis for the one
-  // that the block names.
+  // hole. The axes of the hole event are those of the end of the block, with this offset. In type C the drilling axis
+  // counts as the axis that the block names.
   result.axes = command.cycle.drills ? static_cast<AxisMask>(1U << cycles_.axis()) : command.axes;
   result.has_word = command.codes.any;
   const std::optional<Compensation>& code = command.codes.compensation;

@@ -21,8 +21,8 @@ ArcGeometry arc_by_center(Recorder& recorder, const PlanePoint& start, const Pla
   ArcGeometry arc;
   arc.center = start + to_center;
   const bool closed = travel[0].sign() == Sign::zero && travel[1].sign() == Sign::zero;
-  // fanuc.program.arc-full-circle: With I J K an arc whose end is its start in the plane is a full circle of 360
-  // degrees; it needs no axis word.
+  // fanuc.program.arc-full-circle: With I J K an arc that ends in the plane where it starts is a full circle of 360
+  // degrees. It needs no axis word.
   if (recorder.decide(Clause::fanuc_program_arc_full_circle, closed)) {
     arc.sweep = 360;
     return arc;
@@ -32,23 +32,23 @@ ArcGeometry arc_by_center(Recorder& recorder, const PlanePoint& start, const Pla
   const Real start_radius2 = dot(from, from);
   const Real end_radius2 = dot(to, to);
   const bool ends_in_center = end_radius2.sign() == Sign::zero;
-  // fanuc.program.arc-ends-in-center: Where the end of an arc is its centre no sweep can be stated.
+  // fanuc.program.arc-ends-in-center: If an arc ends in its centre, no sweep can be stated.
   if (!recorder.decide(Clause::fanuc_program_arc_ends_in_center, ends_in_center)) {
     const Real left_turn = cross(from, to);
     const Real sine = direction == spec::ArcDirection::ccw ? left_turn : -left_turn;
     // fanuc.program.arc-sweep: With I J K the sweep is the angle from the start radius to the end radius in the
-    // direction of the code, more than 0 and at most 360 degrees. Start and end on one ray from the centre: a whole
-    // turn.
+    // direction of the code, more than 0 and at most 360 degrees. If start and end lie on one ray from the centre, the
+    // arc is a whole turn.
     const Sign side = recorder.decide(Clause::fanuc_program_arc_sweep, sine, sqrt(start_radius2 * end_radius2));
     arc.sweep = swept_angle(sine, dot(from, to), side);
   }
   const Real growth = end_radius2 - start_radius2;
-  // fanuc.program.arc-spiral: With I J K start and end may have different distances from the centre; the tool then runs
-  // a spiral whose radius grows evenly with the angle.
+  // fanuc.program.arc-spiral: With I J K start and end may have different distances from the centre. The tool then runs
+  // a spiral whose radius changes evenly with the angle.
   if (recorder.decide(Clause::fanuc_program_arc_spiral, growth, end_radius2 + start_radius2) != Sign::zero)
     arc.radius = {sqrt(start_radius2), sqrt(end_radius2)};
-  // fanuc.program.arc-radii: With I J K, a difference between the distances of start and end from the centre of more
-  // than 3410 raises PS0020. Where 3410 is 0 or not given, no difference does.
+  // fanuc.program.arc-radii: With I J K PS0020 is raised if the distances of start and end from the centre differ by
+  // more than 3410. If 3410 is 0 or not given, no difference raises it.
   if (arc.radius && allowed_difference != 0) {
     const Real difference = sqrt(square(arc.radius->second - arc.radius->first));
     if (recorder.decide(Clause::fanuc_program_arc_radii, difference - allowed_difference, allowed_difference) ==
@@ -64,8 +64,8 @@ ArcGeometry arc_by_radius(Recorder& recorder, const PlanePoint& start, const Pla
   // The centre lies on the perpendicular bisector, at height h over the chord: h² = radius² − chord²/4.
   const Real radius2 = square(radius);
   const Real four_h2 = 4 * radius2 - chord2;
-  // fanuc.program.arc-radius: R gives the radius. An arc exists where R is at least half the chord; a smaller one,
-  // 0 among them, raises PS0020.
+  // fanuc.program.arc-radius: R gives the radius. An arc exists if R is at least half the chord. A smaller R, 0
+  // included, raises PS0020.
   const Sign reach = recorder.decide(Clause::fanuc_program_arc_radius, four_h2, 4 * radius2 + chord2);
   if (reach == Sign::negative) throw Alarm(AlarmCause::arc_radius_too_short);
   if (reach == Sign::positive && four_h2.sign() != Sign::positive) throw NotFinite();

@@ -130,21 +130,22 @@ void Engine::State::run(Motion motion) {
   recorder.resume(std::move(motion.clauses));
   const bool cancels = peripheral.pass();
   if (motion.is_out_of_scope()) {
-    // heidenhain.peripheral.out-of-scope: RL or RR without TCPM, in L and in LN without a normal, is the ordinary
-    // compensation in the plane by the full radius, which is not modelled: an undecided event with the reason
-    // OUT_OF_SCOPE in place of the move; the run goes on from the programmed end point.
+    // heidenhain.peripheral.out-of-scope: RL or RR without TCPM, in an L block or an LN block without a normal, is the
+    // ordinary compensation in the plane by the full radius, which is not modelled. In place of the move there is an
+    // undecided event with the reason OUT_OF_SCOPE. The run goes on from the programmed end point.
     recorder.reach(Clause::heidenhain_peripheral_out_of_scope);
     motion.clauses = recorder.take_clauses();
     report_out_of_scope(motion, sink);
     return;
   }
-  // heidenhain.program.length-along-the-tool: DL acts along the tool vector T: the axes of an event are the tip of a
-  // tool of exactly the table length, and the real tool stands by dL t beside where it would without deltas.
+  // heidenhain.program.length-along-the-tool: DL acts along the tool vector T. The axes of an event are the tip of a
+  // tool of exactly the table length. The real tool is displaced by dL t from where it would be without deltas.
   recorder.reach(Clause::heidenhain_program_length_along_the_tool);
   Compensated end = compensated(motion, contact);
   if (cancels) {
-    // heidenhain.peripheral.cancel: The move of the first moving block behind the last compensated one has the cause
-    // cancel: it goes straight to its own end point. A block out of scope is that block without a move.
+    // heidenhain.peripheral.cancel: The first block that moves after the last compensated block goes straight to its
+    // own end point, and its move has the cause cancel. If that block is out of scope, it is the cancel block, but it
+    // makes no move.
     recorder.reach(Clause::heidenhain_peripheral_cancel);
     end.cause = spec::Cause::cancel;
   }
@@ -159,8 +160,8 @@ void Engine::State::drill(DrilledHole hole) {
   peripheral.pass();
   face.forget();
   recorder.resume(std::move(hole.motion.clauses));
-  // heidenhain.program.length-along-the-tool: DL acts along the tool vector T: the axes of an event are the tip of a
-  // tool of exactly the table length, and the real tool stands by dL t beside where it would without deltas.
+  // heidenhain.program.length-along-the-tool: DL acts along the tool vector T. The axes of an event are the tip of a
+  // tool of exactly the table length. The real tool is displaced by dL t from where it would be without deltas.
   recorder.reach(Clause::heidenhain_program_length_along_the_tool);
   hole.motion.clauses = recorder.take_clauses();
   report_hole(hole, setup, sink);
@@ -168,8 +169,9 @@ void Engine::State::drill(DrilledHole hole) {
 
 Compensated Engine::State::compensated(Motion& motion, const std::optional<FaceContact>& contact) {
   if (contact) return face.compensate(motion, *contact);
-  // heidenhain.peripheral.no-lateral: LN without a normal under R0 has no side: no lateral compensation, and
-  // W_NO_LATERAL. The manual calls compensation possible in such a block; it needs RL or RR of an earlier one.
+  // heidenhain.peripheral.no-lateral: An LN block without a normal under R0 has no side, so it has no lateral
+  // compensation and gives W_NO_LATERAL. The manual calls compensation possible in an LN block without a normal. It
+  // needs RL or RR of an earlier block.
   if (motion.vectors)
     motion.warn(recorder, Clause::heidenhain_peripheral_no_lateral, "W_NO_LATERAL",
                 "LN without a surface normal under R0: no lateral compensation");
@@ -177,8 +179,8 @@ Compensated Engine::State::compensated(Motion& motion, const std::optional<FaceC
 }
 
 Compensated Engine::State::uncompensated(const Motion& motion) const {
-  // heidenhain.program.no-compensation: A straight line L without RL and RR has no 3D compensation, whatever the
-  // deltas. So has LN without a normal under R0.
+  // heidenhain.program.no-compensation: A straight line L without RL and RR has no 3D compensation, whatever the deltas
+  // are. The same holds for LN without a normal under R0.
   recorder.reach(Clause::heidenhain_program_no_compensation);
   Compensated end;
   end.point = ProgrammedContour::tip_of_reference(motion);

@@ -75,25 +75,26 @@ Solution solution(const Machine& machine, const Goal& goal, const Real& depth, i
 }
 
 [[noreturn]] void unreachable(Recorder& recorder) {
-  // fanuc.tool-center-point.unreachable: A direction that no position of the axes gives raises PS5459, the number the
-  // manual has for no pair in range; it names the block that commands the direction.
+  // fanuc.tool-center-point.unreachable: A direction that no position of the axes gives raises PS5459. The manual has
+  // this number for a direction without a pair in range. The alarm names the block that commands the direction.
   raise(recorder, Clause::fanuc_tool_center_point_unreachable, AlarmCause::unreachable);
 }
 
 }  // namespace
 
 Solutions inverse(const Machine& machine, Recorder& recorder, const Direction& direction, const Angle& work_position) {
-  // fanuc.tool-center-point.inverse: A direction V (in the zero frame of the table, (M deg)^-1 V_P) has two pairs of
-  // positions, each axis plus any whole turns. An axis value is combined with the other of its own pair only.
+  // fanuc.tool-center-point.inverse: A direction V has two pairs of positions, to each axis of which any whole turns
+  // may be added. V is taken in the zero frame of the table, as (M deg)^-1 V_P. A value of one axis is combined only
+  // with the value of the other axis of the same pair.
   recorder.reach(Clause::fanuc_tool_center_point_inverse);
   const Goal to =
       goal(machine, direction.vector, sqrt(direction.norm2), dot(machine.work_side().line, direction.vector));
   const SingularPosture* const ahead = machine.singular(1);
   const SingularPosture* const behind = machine.singular(-1);
   Solutions result;
-  // fanuc.tool-center-point.parallel-to-the-work-side: Asked first of a direction whose pair is chosen. Where V is
-  // parallel to u_w the work-side axis may stand anywhere: it keeps its present position, or goes to the nearest limit
-  // of its range where that is outside, and the choice concerns the tool-side axis and its whole turns only.
+  // fanuc.tool-center-point.parallel-to-the-work-side: If V is parallel to u_w, the work-side axis may stand anywhere.
+  // It keeps its present position, or goes to the nearest limit of its range if that position is outside. The choice
+  // then concerns only the tool-side axis and its whole turns.
   if (recorder.decide(Clause::fanuc_tool_center_point_parallel_to_the_work_side, to.horizontal2, direction.norm2) !=
       Sign::positive) {
     const bool along = dot(machine.work_side().line, direction.vector).sign() == Sign::positive;
@@ -113,13 +114,13 @@ Solutions inverse(const Machine& machine, Recorder& recorder, const Direction& d
     if (side == Sign::negative) unreachable(recorder);
     if (side == Sign::zero) edge = true;
   };
-  // fanuc.tool-center-point.reach-toward-the-axis: With alpha the angle of u_t and t0 and beta that of u_t and u_w, V
-  // can stand no nearer to u_w than |alpha - beta|. Asked unless alpha = beta, and not of V parallel to u_w. At the
-  // bound the two pairs are one.
+  // fanuc.tool-center-point.reach-toward-the-axis: V can be no nearer to u_w than |alpha - beta|, with alpha the angle
+  // between u_t and t0 and beta the angle between u_t and u_w. At the bound the two pairs are one. Asked unless alpha =
+  // beta, and not of V parallel to u_w.
   if (ahead == nullptr) bounded(Clause::fanuc_tool_center_point_reach_toward_the_axis, rho - height);
-  // fanuc.tool-center-point.reach-away-from-the-axis: V can stand no farther from u_w than the smaller of alpha + beta
-  // and 360 - alpha - beta. Asked, behind fanuc.tool-center-point.reach-toward-the-axis, unless alpha + beta = 180, and
-  // not of V parallel to u_w.
+  // fanuc.tool-center-point.reach-away-from-the-axis: V can be no farther from u_w than the smaller of alpha + beta and
+  // 360 - alpha - beta. At the bound the two pairs are one. Asked after fanuc.tool-center-point.reach-toward-the-axis,
+  // which explains alpha and beta, unless alpha + beta = 180, and not of V parallel to u_w.
   if (behind == nullptr) bounded(Clause::fanuc_tool_center_point_reach_away_from_the_axis, rho + height);
   Real depth = depth_of(machine, direction.norm2, to);
   // A forced outcome may let a direction through that is out of reach.

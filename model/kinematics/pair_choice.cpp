@@ -43,24 +43,25 @@ PairChoice::PairChoice(const spec::Setup& setup, const Machine& machine, Recorde
   Axis work{&Pose::work, range(setup, head ? first_upper : second_upper), {}, {}};
   const bool tool_first = (machine.type() == MachineType::table) != reversed_;
   axes_ = tool_first ? std::array{tool, work} : std::array{work, tool};
-  // fanuc.tool-center-point.choice-first-move: First step: the smaller moving angle of the axis judged first, over both
-  // pairs, the turns down and up, and in range only; two such moves that lie in turns of their own are told by the
-  // turns, others by cosines.
+  // fanuc.tool-center-point.choice-first-move: First step: the smaller moving angle of the axis judged first counts,
+  // over both pairs and the turns down and up, but only in range. Two moving angles in different half turns are
+  // compared by the half turns, others by cosines.
   axes_[0].move = Clause::fanuc_tool_center_point_choice_first_move;
-  // fanuc.tool-center-point.choice-second-move: Second step, of the candidates left: the smaller moving angle of the
-  // other axis.
+  // fanuc.tool-center-point.choice-second-move: Second step: of the candidates left, the smaller moving angle of the
+  // other axis counts.
   axes_[1].move = Clause::fanuc_tool_center_point_choice_second_move;
-  // fanuc.tool-center-point.choice-first-near-zero: Third step: the axis judged first nearer to 0. Nearer means the
-  // smaller absolute value after wrapping to (-180, 180].
+  // fanuc.tool-center-point.choice-first-near-zero: Third step: nearness to 0 of the axis judged first counts. Nearer
+  // means the smaller absolute value after wrapping to (-180, 180].
   axes_[0].near_zero = Clause::fanuc_tool_center_point_choice_first_near_zero;
-  // fanuc.tool-center-point.choice-second-near-zero: Fourth step: the other axis nearer to 0, in the same way.
+  // fanuc.tool-center-point.choice-second-near-zero: Fourth step: nearness to 0 of the other axis counts in the same
+  // way.
   axes_[1].near_zero = Clause::fanuc_tool_center_point_choice_second_near_zero;
 }
 
 void PairChoice::require_ranges() const {
-  // fanuc.tool-center-point.range-order: 19741 and 19742 are the upper and the lower limit of the first rotary axis in
-  // type 2, 19743 and 19744 those of the second; both 0, or not given: no limit. That they come in this order is a
-  // recollection.
+  // fanuc.tool-center-point.range-order: 19741 and 19742 are the upper and the lower limit of the first rotary axis for
+  // type 2 (G43.5), 19743 and 19744 those of the second. An axis whose limits are both 0, or not given, has no limit.
+  // That the parameters come in this order is a recollection.
   for (const Axis& axis : axes_)
     if (axis.range && axis.range->lower > axis.range->upper)
       raise(recorder_, Clause::fanuc_tool_center_point_range_order, AlarmCause::rotary_limits);
@@ -69,9 +70,9 @@ void PairChoice::require_ranges() const {
 bool PairChoice::within(const Axis& axis, const Angle& position) const {
   if (!axis.range) return true;
   const auto not_negative = [this](const Real& quantity) {
-    // fanuc.tool-center-point.range: Under G43.5 a position counts only in the range of its axis; with a range the
-    // shortcut through 0 and 360 is not taken. The limits themselves are inside (ours). Asked of each limit of each
-    // axis with a range.
+    // fanuc.tool-center-point.range: Under G43.5 a position counts only if it is in the range of its axis. An axis with
+    // a range does not take the short way through 0 and 360. The limits themselves are in range (ours). Asked of each
+    // limit of each axis with a range.
     return recorder_.decide(Clause::fanuc_tool_center_point_range, quantity, 1) != Sign::negative;
   };
   return not_negative(order(axis.range->upper, position)) && not_negative(order(position, axis.range->lower));
@@ -82,8 +83,8 @@ bool PairChoice::inside(const Pose& pose) const {
 }
 
 void PairChoice::require_inside(const Pose& pose) const {
-  // fanuc.tool-center-point.range-none: No pair with both axes in range raises PS5459; so does, with posture control,
-  // an end pair outside, for there the branch is not free.
+  // fanuc.tool-center-point.range-none: PS5459 is raised if no pair has both axes in range. With posture control it is
+  // also raised if the end pair is out of range, because the branch is not free there.
   if (!inside(pose)) raise(recorder_, Clause::fanuc_tool_center_point_range_none, AlarmCause::unreachable);
 }
 
@@ -192,8 +193,8 @@ bool PairChoice::takes_second(const Candidate& a, const Candidate& b, const Pose
   for (std::size_t i = 0; i < axes_.size(); ++i)
     if (const Sign sign = compare_nearness(axes_.at(i), a.targets.at(i), b.targets.at(i)); sign != Sign::zero)
       return sign == Sign::positive;
-  // fanuc.tool-center-point.choice-tie: Candidates left behind the fourth step: the greater position, with its sign and
-  // whole turns, of the axis judged first, then of the other one.
+  // fanuc.tool-center-point.choice-tie: If several candidates are left after the fourth step, the greater position of
+  // the axis judged first counts, then that of the other axis. Positions count with sign and whole turns.
   recorder_.reach(Clause::fanuc_tool_center_point_choice_tie);
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     const Targets& of_a = a.targets.at(i);
@@ -230,12 +231,13 @@ Solution PairChoice::choose(const Direction& direction, const Pose& present) con
 
 Solution PairChoice::choose(Solutions solutions, const Pose& present, Sign has_it) const {
   put_present(present, has_it, solutions);
-  // fanuc.tool-center-point.choice: Of the two pairs and all whole turns of each axis remain, step by step, those with
-  // the smallest moving angle (from the present position) of the axis judged first; of the other axis; with the axis
-  // judged first nearest to 0; with the other nearest to 0.
+  // fanuc.tool-center-point.choice: The pair is chosen in four steps among the two pairs and all whole turns of each
+  // axis. Each step keeps only the candidates that are best in it: the smallest moving angle, from the present
+  // position, of the axis judged first; then that of the other axis; then the axis judged first nearest to 0; then the
+  // other axis nearest to 0.
   recorder_.reach(Clause::fanuc_tool_center_point_choice);
-  // fanuc.tool-center-point.choice-order: Judged first is the first axis on tool rotation and table rotation machines,
-  // the second, the table axis, on the mixed type. 19608 bit 5, PRI: 1 turns the order round.
+  // fanuc.tool-center-point.choice-order: On tool rotation and table rotation machines the first axis is judged first,
+  // on the mixed type the second axis, which is the table axis. PRI (19608#5) = 1 reverses the order.
   recorder_.decide(Clause::fanuc_tool_center_point_choice_order, reversed_);
   std::vector<Candidate> candidates;
   for (const Solution& solution : solutions) {

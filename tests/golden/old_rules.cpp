@@ -33,18 +33,18 @@ constexpr const char* kSide = "fanuc/tool-side-compensation";
 constexpr const char* kTip = "fanuc/tool-center-point-control";
 
 constexpr OldRule kOld[] = {
-    {"r_without_a_way_alarms", kLength, "R with the start for an end is an arc of 0 degrees", "X0 Y0 R10.", "X1 R0."},
-    {"cir_not_known", kLength, "With CIR = 0 it runs as a line", "", "", {3403, 5}},
+    {"r_without_a_way_alarms", kLength, "An R block whose end is its start is an arc of 0", "X0 Y0 R10.", "X1 R0."},
+    {"cir_not_known", kLength, "With CIR = 0 an arc without", "", "", {3403, 5}},
     {"radii_not_compared", kLength, "The same, with 3410 = 1.999", "", "", {3410, -1}},
     {"no_feed_runs", kLength, "No F: PS0011", "", "", {1411, -1}, 100},
     {"stops_are_read_past", kCutter, "M00 stops the look-ahead", "M00", "M05"},
-    {"codes_of_stops_not_known", kCutter, "M08 by No. 3411 stops it", "", "", {3411, -1}},
+    {"codes_of_stops_not_known", kCutter, "M08 stops the look-ahead if No.", "", "", {3411, -1}},
     {"look_ahead_of_two", kCutter, "The 30i reads five blocks", "", "", {19625, -1}},
     {"cnc_not_known", kCutter, "CNC = 1, a groove of width 15", "", "", {5008, 1}},
     {"cnv_not_known", kCutter, "CNV = 1 on series 30i: no vector is dropped", "", "", {5008, 3}},
     {"tos_not_known", kLength, "5006#6 = 1: G43, H, G49 alone move nothing", "", "", {5006, 6}},
     {"p_of_g54_not_read", kLength, "G54 P2 is G54.1 P2", "G54 P2", "G54"},
-    {"vector_left_by_a_way_of_0", kCutter, "Behind a lone G40 an axis word takes the vector away",
+    {"vector_left_by_a_way_of_0", kCutter, "After a lone G40 an axis word removes the vector",
      "G00 Z5.\nG00 X-20. Y-20.", "G00 Z5.\nG00"},
     {"turned_before_refused", kTip, "WKP = 1, A and C turned before G43.4", "A90. C10. F100\nG43.4 H0\n",
      "A90. F100\nG43.4 H0\nC10.\n"},

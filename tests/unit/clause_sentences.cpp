@@ -260,7 +260,7 @@ TEST(ClauseSentences, DriftIsSeen) {
   EXPECT_EQ(drifts({"// fanuc.tool-side.type-b: No."}).size(), 1U) << "No. 5003";
   EXPECT_EQ(
       drifts(
-          {"// fanuc.cutter-c.value-zero: Where r = 0 the group is the vector zero alone, whatever the corner and No."})
+          {"// fanuc.cutter-c.value-zero: If r = 0, the group is the zero vector alone, whatever the corner and No."})
           .size(),
       1U);
   EXPECT_EQ(drifts({"// fanuc.cutter-b.no-such: Text."}).size(), 1U);

@@ -7,7 +7,7 @@ namespace {
 
 #define CUTTER_B(values) \
   "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\"]\ncutter_compensation = \"B\"\n[offsets.D]\n" values "\n"
-// The examples with H: the cutter's number comes from H too under OFH = 1.
+// The examples with H: with OFH = 1 the number of the cutter also comes from H.
 #define BY_H(number, value)                                                          \
   "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\"]\ncutter_compensation = \"B\"\n" \
   "[parameters]\n\"5001#2\" = 1\n[offsets.H]\n" number " = " value "\n"
@@ -15,11 +15,11 @@ namespace {
   "N1 G91 G17 G00 G41 J1. X20. Y20. H08\nN2 G01 Z-25. F100.\nN3 Y40. F250.\nN4 G39 I40. J20.\nN5 X40. Y20.\n" \
   "N6 G39 I40.\nN7 G02 X40. Y-40. R40.\nN8 X-20. Y-20. R20.\nN9 G01 X-60.\nN10 G00 Z25.\nN11 G40 X-20. Y-20.\n"
 
-// Figures that the derivation is without are worked out by hand: d times the unit normal of a block at its end.
+// Figures that the derivation does not give are worked out by hand: d times the unit normal of a block at its end.
 constexpr Example kExamples[] = {
     {"14.4 example 1, G41 from (0, 0) to (30, 40) with an offset of 10: head (22, 46).", BY_H("1", "10"),
      "G00 G41 X30. Y40. H1\n", "1 s G0 22 46\n"},
-    {"14.4 example 2, the same with I0 J1: the vector stands on (0, 1), head (20, 40).", BY_H("1", "10"),
+    {"14.4 example 2, the same with I0 J1: the vector is perpendicular to (0, 1), head (20, 40).", BY_H("1", "10"),
      "G00 G41 X30. Y40. I0 J1. H1\n", "1 s G0 20 40\n"},
     {"14.4 example 3, G42: head (38, 34).", BY_H("1", "10"), "G00 G42 X30. Y40. H1\n", "1 s G0 38 34\n"},
     {"14.4 example 4, G41 with I1 J1: head (30 - 10/sqrt 2, 40 + 10/sqrt 2).", BY_H("1", "10"),
@@ -75,18 +75,18 @@ constexpr Example kExamples[] = {
      "G01 F100 G41 X40. D1\nZ5.\n",
      "1 s G1 40 10 0\n"
      "2 p G1 40 10 5\n"},
-    {"14.4, another value in G01 counts at the end of its block: (40, 10), then (80, 4).", CUTTER_B("1 = 10\n2 = 4"),
-     "G01 F100 G41 X40. D1\nX80. D2\n",
+    {"14.4, another offset value in G01 takes effect at the end of its block: (40, 10), then (80, 4).",
+     CUTTER_B("1 = 10\n2 = 4"), "G01 F100 G41 X40. D1\nX80. D2\n",
      "1 s G1 40 10\n"
      "2 p G1 80 4\n"},
     {"14.4, an arc at the start-up: PS0034.", CUTTER_B("1 = 10"), "G02 G41 X40. R20. D1 F100\n", "1 PS0034\n"},
-    {"14.4, G39 outside the mode: PS0035.", CUTTER_B("1 = 10"), "G01 F100 X10.\nG39 I1.\n",
+    {"14.4, G39 without G41 or G42: PS0035.", CUTTER_B("1 = 10"), "G01 F100 X10.\nG39 I1.\n",
      "1 p G1 10 0\n"
      "2 PS0035\n"},
-    {"14.4, the plane changes in the mode: PS0037.", CUTTER_B("1 = 10"), "G01 F100 G41 X40. D1\nG18 X50.\n",
+    {"14.4, the plane changes under G41: PS0037.", CUTTER_B("1 = 10"), "G01 F100 G41 X40. D1\nG18 X50.\n",
      "1 s G1 40 10\n"
      "2 PS0037\n"},
-    {"14.4, G45 in the mode: PS0042.", CUTTER_B("1 = 10"), "G01 F100 G41 X40. D1\nG45 X50.\n",
+    {"14.4, G45 under G41: PS0042.", CUTTER_B("1 = 10"), "G01 F100 G41 X40. D1\nG45 X50.\n",
      "1 s G1 40 10\n"
      "2 PS0042\n"},
 };

@@ -72,11 +72,11 @@ constexpr Example kExamples[] = {
      "G17 G90 G01 F100 G41 D1 X100.\nX0 Y-1.\n"},
     {"14.6.2, SUV = 0: a lone G41 moves nothing, the next block is the start-up block: (40,10).", CUTTER("", "1 = 10"),
      "G17 G90 G01 F100\nG41 D1\nX40.\nX80.\n"},
-    {"14.6.2, SUV = 1: a lone G41 moves by the perpendicular of the next movement, (0,10), and a lone G40 takes the "
-     "vector away at once, (80,0).",
+    {"14.6.2, SUV = 1: a lone G41 moves to the head of the vector perpendicular to the next movement, (0,10), and a "
+     "lone G40 removes the vector at once, (80,0).",
      CUTTER(SUV, "1 = 10"), "G17 G90 G01 F100\nG41 D1\nX40.\nX80.\nG40\nX90.\n"},
-    {"14.6.2, 5003#1 = 1: a second lone G41, behind one whose look-ahead ended without a motion block: start-up at the "
-     "fourth line to (-1.6,1.2).",
+    {"14.6.2, 5003#1 = 1: a second lone G41, after one whose look-ahead ended without a block that moves: start-up at "
+     "line 4 to (-1.6,1.2).",
      CUTTER(SUV, "1 = 2"), "G90 G00 X0 Y0\nG41 D1\nM05\nG41 D1\nG01 X30. Y40. F100\nX60. Y80.\n"},
 
     {"14.6.4 #1, type A, inner: (40,10).", CANCEL_A("G40 X40. Y30.")},

@@ -22,10 +22,12 @@ constexpr Example kExamples[] = {
     {"14.6.5 #2, a groove of exactly twice the offset is cut: (30,10) twice.", A_LINE("Y20.\nX0")},
     {"14.6.5 #3, a groove of 25: (30,10) (30,15).", A_LINE("Y25.\nX0")},
     {"14.6.5 #4, a step of 5: (30,10) (30,15).", A_LINE("Y5.\nX80.")},
-    {"14.6.5 #5, a notch: -25, one pair dropped, -5 with the last, PS0041 after (50,10).", A_LINE("X37. Y-4.\nX80.")},
+    {"14.6.5 #5, a notch: D.D' = -25, and one pair is dropped; D.D' = -5 with the last pair, PS0041 after (50,10).",
+     A_LINE("X37. Y-4.\nX80.")},
     {"14.6.5 #6, a tangent arc of R8: R' = -2, PS0041 after (40,10).", A_LINE("G03 X48. Y8. I0 J8.\nG01 Y40.")},
     {"14.6.5 #6, a tangent arc of R10: R' = 0, the tool stands at (40,10).", A_LINE("G03 X50. Y10. I0 J10.\nG01 Y40.")},
-    {"14.6.5, vectors dropped: an arc of R5, groups (50,10) (50,0) and (40,0) (40,10) (60,10): straight to (60,10).",
+    {"14.6.5, vectors dropped: an arc of R5 between the groups (50,10) (50,0) and (40,0) (40,10) (60,10) runs straight "
+     "to (60,10).",
      A_LINE("G03 X50. Y0 I5. J0\nG01 Y-20.")},
     {"14.6.5 #1 with CNI = 1: no check, (30,10) (30,5).", AFTER("\"5008#0\" = 1\n", "Y15.\nX0")},
 
@@ -33,7 +35,7 @@ constexpr Example kExamples[] = {
      CUTTER("", "10", "0"), "N1 G91 G00 G41 X500.0 Y400.0 D1\nN3 G01 Z-300.0 F100\nN6 Y100.0 F200\n"},
     {"14.6.6 example 2, two Z blocks: the vector is perpendicular to N1, (493.7530495244558,407.8086880944303).",
      CUTTER("", "10", "0"), "N1 G91 G00 G41 X500.0 Y400.0 D1\nN3 G01 Z-250.0\nN5 Z-50.0 F100\nN6 Y100.0 F200\n"},
-    {"14.6.6 example 3, a block in the direction of the cut first: (490,400) (490,500), then along X490.",
+    {"14.6.6 example 3, first a block in the direction of the cut: (490,400) (490,500), then along X490.",
      CUTTER("", "10", "0"),
      "N1 G91 G00 G41 X500.0 Y400.0 D1\nN2 Y100.0\nN3 Z-250.0\nN5 G01 Z-50.0 F100\nN6 Y100.0 F200\n"},
 

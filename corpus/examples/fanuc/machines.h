@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Setups of five-axis machines for examples: further parameters, then tables of their own. H is a head, T a table, M a
-// mixed machine; the letters name the first and the second rotary axis, 45 one that is inclined from Y to Z.
+// Setups of five-axis machines for examples. `more` holds further parameters, `rest` further tables. H is a head, T a
+// table, M a mixed machine. The letters name the first and the second rotary axis; 45 is an axis inclined from Y to Z.
 #pragma once
 
 #include "corpus/examples.h"

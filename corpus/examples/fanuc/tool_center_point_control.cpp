@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tool center point control: examples 1, 2, 9 and 11, worked out by hand, and the conventional part of 3. Of a
-// machine are named the rotary axis on the first place of 19681 and on the second.
+// Tool center point control: examples 1, 2, 9 and 11, worked out by hand, and the part of 3 with conventional control.
+// The name of a machine gives its first rotary axis (19681), then its second (19686).
 #include "corpus/examples/fanuc/machines.h"
 
 namespace toolcomp::corpus {
@@ -47,27 +47,28 @@ constexpr Example kExamples[] = {
     {"2: C-B head at (0,0), -1 1 2: C -45, B -35.2643896827547.", HC("", ""), TO("I-1 J1 K2")},
     {"2: C-B head at (100,0), -1 1 2: C 135, B 35.2643896827547.", HC("", "[position]\nC = 100\n"), TO("I-1 J1 K2")},
     {"2: C-B head at (350,0), -1 1 2: C 315, B -35.2643896827547.", HC("", "[position]\nC = 350\n"), TO("I-1 J1 K2")},
-    {"2: C-B head at (45,0), -1 1 2, both move alike: C -45, B -35.2643896827547, C nearer to 0.",
+    {"2: C-B head at (45,0), -1 1 2, both pairs move equally far: C -45, B -35.2643896827547, because C is nearer to "
+     "0.",
      HC("", "[position]\nC = 45\n"), TO("I-1 J1 K2")},
     {"2: C-B head at (0,0), 0 1 1, a complete tie: C 90, B 45.", HC("", ""), TO("I0 J1 K1")},
     {"2: A-C table at (0,0), -1 1 2: A -35.2643896827547, C 45.", TAC("", ""), TO("I-1 J1 K2")},
     {"2: A-C table at (0,0) with A from -30 to 30, -1 1 2: PS5459.", TAC(RANGES("30", "-30", "0", "0"), ""),
      TO("I-1 J1 K2")},
-    {"2: B tool at 30, C table at 0, to the direction of (30,170): B -30, C -10, the table moves less.",
+    {"2: B tool at 30, C table at 0, to the direction of (30,170): B -30, C -10, because the table then moves less.",
      MBC("", "[position]\nB = 30\n"), TO(TO_B30_C170)},
     {"2: B tool at 30, C table at 0, to the direction of (30,170) with PRI = 1: B 30, C 170.",
      MBC("\"19608#5\" = 1\n", "[position]\nB = 30\n"), TO(TO_B30_C170)},
-    {"2: A-C table at (30,0), to the direction of (30,170): A 30, C 170, the first axis stays.", TAC("", ""),
-     TO(TO_A30_C0) TO_A30_C170 "\n"},
+    {"2: A-C table at (30,0), to the direction of (30,170): A 30, C 170, because the first axis then does not move.",
+     TAC("", ""), TO(TO_A30_C0) TO_A30_C170 "\n"},
     {"2: A-C table at (30,0), to the direction of (30,170) with PRI = 1: A -30, C -10.", TAC("\"19608#5\" = 1\n", ""),
      TO(TO_A30_C0) TO_A30_C170 "\n"},
 
-    {"3 with P0: the edge of the pyramid, C evenly at a standing B, leaves the plane: V (-0.577350269189626, 0, "
-     "0.816496580927726) in the middle.",
+    {"3 with P0: the edge of the pyramid. C turns evenly while B does not move, and the tool leaves the plane: V = "
+     "(-0.577350269189626, 0, 0.816496580927726) in the middle.",
      HC("", LENGTH_100 "[position]\nC = 130\nB = 30\n"),
      "G90 G43.5 H1 P0 X20. Y-20. I-1 J1 K2\nG01 Y20. I-1 J-1 K2 F100\n", "", 4},
 
-    {"9: A-C table with offsets, the frame frozen at A 20 C 45, then A -35 C 10: the tip at (67.5977865158401, "
+    {"9: A-C table with offsets, the frame fixed at A 20 C 45, then A -35 C 10: the tip is at (67.5977865158401, "
      "-84.213831437203, -19.7483455042551) of the machine, V = (0.328989928337166, 0.72167761037298, "
      "0.609054228898422).",
      TAC(TABLE_OFFSETS, LENGTH_100 TABLE_ORIGIN "[position]\nA = 20\nC = 45\n"),

@@ -15,25 +15,26 @@ constexpr Example kRules[] = {
      "H01\nG00 Z200.\nG37 Z200.\n",
      "2 p G0 0 0 200\n"
      "3 fanuc.length-measurement.start-on-the-coordinate\n"},
-    {"The block starts at B: no rapid part, the measuring move goes from 220 to 198.", MEASURE("198"),
-     "H01\nG00 Z220.\nG37 Z200.\n",
+    {"The block starts at point B, where the measuring feed begins: there is no rapid part, and the measuring move "
+     "goes from 220 to 198.",
+     MEASURE("198"), "H01\nG00 Z220.\nG37 Z200.\n",
      "2 p G0 0 0 220\n"
      "3 m G1 0 0 198\n"
      "3 H1=13\n"},
-    {"The signal comes on exactly at the end of the deceleration distance, 220, which is too early: no measuring move, "
-     "PS0080.",
+    {"The signal comes on exactly at point B, 220, where the measuring feed would begin. That is too early: no "
+     "measuring move, PS0080.",
      MEASURE("220"), "H01\nG37 Z200.\n",
      "2 p G0 0 0 220\n"
      "2 PS0080\n"},
-    {"G44 is in force, H1 = 15: the coordinate 213 reaches the position 198; 15 + 13 = 28 is written all the same, but "
-     "213 is out of the permitted range: PS0080 at 213.",
+    {"G44 is in force, H1 = 15: at the coordinate 213 the axis reaches the position 198. The formula is the same under "
+     "G44, 15 + 13 = 28, but 213 is out of the permitted range: PS0080 at 213.",
      MEASURE("198"), "G44 H01\nG37 Z200.\n",
      "1 p G0 0 0 760\n"
      "2 p G0 0 0 220\n"
      "2 m G1 0 0 213\n"
      "2 PS0080\n"},
-    {"G44 is in force, H1 = 15, signal at 183: the coordinate 198 is reached, 15 - 2 = 13 is written.", MEASURE("183"),
-     "G44 H01\nG37 Z200.\n",
+    {"G44 is in force, H1 = 15, signal at 183: the axis reaches it at the coordinate 198, and 15 - 2 = 13 is written.",
+     MEASURE("183"), "G44 H01\nG37 Z200.\n",
      "1 p G0 0 0 760\n"
      "2 p G0 0 0 220\n"
      "2 m G1 0 0 198\n"

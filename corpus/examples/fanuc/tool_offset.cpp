@@ -35,7 +35,7 @@ constexpr Example kExamples[] = {
      SETUP("1 = 10") "[position]\nX = 100\n", "G90 G45 X150. D1\nX200.\nG46 X250.\nG46 X250.\n"},
     {"14.3, three quarters of a circle, G45 G02 X30 Y-30 I30 with an offset of 10: to (40, -40) about (40, 0).",
      SETUP("1 = 10"), "G91 G45 G02 X30. Y-30. I30. D1 F100\n"},
-    {"14.3, an offset greater than the travel turns it round: G46 X2.5 with 3.7 goes to -1.2.", SETUP("1 = \"3.7\""),
+    {"14.3, an offset greater than the travel reverses the move: G46 X2.5 with 3.7 goes to -1.2.", SETUP("1 = \"3.7\""),
      "G91 G46 X2.5 D1\n"},
     {"14.3, G48 X20 with an offset of 15 goes to -10.", SETUP("1 = 15"), "G91 G48 X20. D1\n"},
     {"14.3, D0 has no offset: G45 X50 D0 goes to 50.", SETUP("1 = 15"), "G91 G45 X50. D0\n"},

@@ -10,9 +10,9 @@ namespace {
   "[offsets.D]\n1 = 10\n[offsets.H]\n1 = 4\n"
 
 constexpr Example kRules[] = {
-    {"TPH = 1: the number comes from H, 4: X50 goes to 54.", SETUP("\"5001#5\" = 1\n"), "G91 G45 X50. H1\n",
-     "1 p G0 54 0\n"},
-    {"G53 takes the shift of the axis it names: 60, then 0, then 20 without a shift.", SETUP(""),
+    {"TPH = 1: the offset number comes from H, with the value 4: X50 goes to 54.", SETUP("\"5001#5\" = 1\n"),
+     "G91 G45 X50. H1\n", "1 p G0 54 0\n"},
+    {"G53 removes the shift of the axis that it names: 60, then 0, then 20 without a shift.", SETUP(""),
      "G90 G45 X50. D1\nG53 X0\nX20.\n",
      "1 p G0 60 0\n"
      "2 p G0 0 0\n"
@@ -25,8 +25,9 @@ constexpr Example kRules[] = {
     {"A quarter of a circle whose radius becomes 0: the tool stays at (0, 0).", SETUP(""),
      "G91 G46 G03 X10. Y10. J10. D1 F100\n", "1 p G3 0 0 O 0 0\n"},
     {"A radius below 0: PS0038.", SETUP(""), "G91 G48 G03 X10. Y10. J10. D1 F100\n", "1 PS0038\n"},
-    {"An arc that is no quarter: G45_ARC.", SETUP(""), "G91 G45 G03 X20. Y0 I10. D1 F100\n", "1 G45_ARC\n"},
-    {"A number beyond the memory: PS0030.", SETUP(""), "G91 G45 X50. D401\n", "1 PS0030\n"},
+    {"A half circle, which G45 does not allow: G45_ARC.", SETUP(""), "G91 G45 G03 X20. Y0 I10. D1 F100\n",
+     "1 G45_ARC\n"},
+    {"An offset number beyond the memory: PS0030.", SETUP(""), "G91 G45 X50. D401\n", "1 PS0030\n"},
 };
 
 #undef SETUP

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tool posture control: examples 2 (what it does there), 3 to 5, 7 to 9 and 11, worked out by hand. The
+// Tool posture control: examples 2 (with posture control), 3 to 5, 7 to 9 and 11, worked out by hand. The
 // pyramid of 3 and 8 has the edges from (20,-20,0) and (20,20,0) to (0,0,40); its face between them is 2x + z = 40.
 #include "corpus/examples/fanuc/machines.h"
 
@@ -76,11 +76,12 @@ constexpr Example kExamples[] = {
     {"8: O0010 on an A-C table.", TAC("", OFFSETS), O0010, "", 2},
     {"8: O0010 with B tool and C table.", MBC("", OFFSETS), O0010, "", 2},
 
-    {"9: A-C table with offsets A = (0,0,-100), d = (0,30,50), workpiece origin (5,10,20), L 100, start at (0,0).",
+    {"9: A-C table with offsets A = (0,0,-100), d = (0,30,50), workpiece origin (5,10,20), L 100, start at A 0 C 0.",
      TAC(TABLE_OFFSETS, LENGTH_100 TABLE_ORIGIN),
      "G90 G43.5 H1 P1 X30. Y-30. Z0\nG01 X20. Y-20. I-1 J1 K2 F100\nY20. I-1 J-1 K2\n", "", 4},
 
-    {"11: opposite directions, type 1, C 0 B 30 to C 180 B 150: conventional, (45, 60), (90, 90) on the way.",
+    {"11: opposite directions, type 1, C 0 B 30 to C 180 B 150: conventional control, (45, 60) and (90, 90) on the "
+     "way.",
      HC("", "[position]\nB = 30\n"), "G90 G43.4 H0 P1\nG01 C180. B150. F100\n", "", 4},
 };
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tool side compensation: the worked examples TS1 to TS11 and the manual's interference figure, with the tool axis by
-// rotary words (G41.2, G42.2) and, where I J K can say it, under G43.5 (G41.6, G42.6). The block before each corner
-// starts straight on, so that its own start is the perpendicular.
+// Tool side compensation: the worked examples TS1 to TS11 and the manual's interference figure, with the tool axis
+// given by rotary words (G41.2, G42.2) and, if I J K can give it exactly, under G43.5 (G41.6, G42.6). The block before
+// each corner goes straight on, so that its vector at the start is the perpendicular.
 #include "corpus/examples.h"
 
 namespace toolcomp::corpus {
 namespace {
 
-// No machine: the tool axis is what the program says.
+// No machine: the program gives the tool axis.
 #define VECTOR(parameters, value, position)                                                                \
   "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\"]\n[parameters]\n" parameters "[offsets.D]\n1 = " value \
   "\n"                                                                                                     \
@@ -38,7 +38,7 @@ namespace {
 #define ACUTE "X94. Y40. Z-8."
 #define CANCEL(code, cancel) "G90 G17 G01 " code " D1 X0 Y0 F1000\nY100.\n" cancel "\n"
 
-// A to B with Va, the tool alone to Vb, B to C.
+// From A to B with Va, then only the tool turns to Vb, then from B to C.
 #define FIGURE(code, first, q, turn, again, corner_c) \
   first "G90 G01 " code " D1 X0 Y0 Z0 F1000\nY-200. Z-200." q "\n" turn "\n" again "Y-400. Z0\n" corner_c
 #define AWAY "G40 Y-440. Z40.\n"
@@ -77,8 +77,8 @@ constexpr Example kExamples[] = {
     {"TS3 by B, G42.2: V = (8, -20, -6) but for the last digits of B.",
      HEAD("", "10", BEFORE_Y "B = 36.8698976458440\n"), TS3("G42.2")},
 
-    {"TS6 by I J K: rotation alone. Line 3 ends with V = (-5, 5, 0) of VT Z, which line 4 keeps; line 5 ends with (-4, "
-     "5, 3) of VT (3/5, 0, 4/5).",
+    {"TS6 by I J K: line 4 only turns the tool. Line 3 ends with V = (-5, 5, 0) for VT Z, and line 4 keeps V. Line 5 "
+     "ends with (-4, 5, 3) for VT (3/5, 0, 4/5).",
      VECTOR("", "5", BEFORE_X), UNTILTED TS6("G41.6", "I3 J0 K4")},
     {"TS6 by B: the same but for the last digits of B.", HEAD("", "5", BEFORE_X), TS6("G41.2", TILT_B)},
 
@@ -112,7 +112,7 @@ constexpr Example kExamples[] = {
     {"TS8 with the tool turning in the next block itself: PS0041 at line 3.", HEAD_A("", "Y = 40\nZ = 40\n"),
      "G90 G00 A46.\nG01 G41.2 D1 X0 Y0 Z0 F1000\nY-200. Z-200.\nY-400. Z0 A-45.\n" AWAY},
     {"TS8 with 19605#5 = 1, no check: V1 and V2.", TS8("\"19605#5\" = 1\n", "", "")},
-    {"TS8 with 6261 = 91, the limit counts: PS0041 at line 3.", TS8("6261 = 91\n", "", "")},
+    {"TS8 with 6261 = 91, exactly the limit: PS0041 at line 3.", TS8("6261 = 91\n", "", "")},
     {"TS8 with 6261 = 91.001: V1 and V2.", TS8("6261 = \"91.001\"\n", "", "")},
     {"TS9: the same with I J K, VT (0, -4/5, 3/5), then (0, 4/5, 3/5): PS0041 at line 3.", TS9("", "", "")},
     {"TS9 with Q1: V = (10, 0, 0).", TS9("", " Q1", "")},
@@ -120,8 +120,8 @@ constexpr Example kExamples[] = {
     {"TS9 with Q3: V1 and V2 = (-10, -6, -8).", TS9("", " Q3", "")},
     {"TS9 with G41.6 again in the next block: V = (10, 0, 0).", TS9("", "", "G41.6 ")},
     {"TS9 with 19605#5 = 1, no check: V1 and V2.", TS9("\"19605#5\" = 1\n", "", "")},
-    {"TS9c: VT Z, then (0, -4/5, 3/5), but W apart: no alarm. Inner corner back: (-10 (2 + sqrt 5), 10, 0); the last "
-     "block ends with 10 (-30, -60, -80) / sqrt 10900.",
+    {"TS9c: VT Z, then (0, -4/5, 3/5), but Wa and Wb point against each other: no alarm. The vector of the inner "
+     "corner is (-10 (2 + sqrt 5), 10, 0); the last block ends with 10 (-30, -60, -80) / sqrt 10900.",
      TS9C(VECTOR("", "10", BEFORE_X), UNTILTED, "G41.6", "I0 J-4 K3")},
 
     {"TS10, G41.2 to G42.2, reversal: V = (0, 10, 0).", HEAD("", "10", BEFORE_X),
@@ -158,13 +158,14 @@ constexpr Example kExamples[] = {
     {"TS11 under G43.5, the arc by R, acute: (10, 10, 0), (14, 2, 0), (8, -6, 0).", VECTOR("", "10", BEFORE_X),
      UNTILTED "G90 G17 G01 G41.6 D1 X0 Y0 F1000\nX100.\nG02 X30. Y-10. R50.\nG01 G40 X-10. Y20.\n"},
 
-    // What is asked corner by corner.
-    {"Movement, corner by corner: line 6 goes along the tool (0, 1, 0) of line 5 and turns it to (-4, 4, 7)/9. The "
-     "corner at the end of line 5 passes over it; it ends at (46.516308380, 83.483691620, 46.018638149).",
+    // What is decided at each corner separately.
+    {"Whether a block moves is decided at each corner separately: line 6 moves along the tool (0, 1, 0) of line 5 and "
+     "turns it to (-4, 4, 7)/9. The corner at the end of line 5 skips line 6. Line 6 ends at (46.516308380, "
+     "83.483691620, 46.018638149).",
      VECTOR("\"5008#0\" = 1\n", "5", ""),
      "G43.5 H0 P0\nG00 X-50 Y0 Z0 J1 K0\nG41.6 G01 D1 X0 Z0 F1000\nX50\nZ50\nY80 I-4 J4 K7\nX100\n"},
-    {"No. 19630, corner by corner: line 4, 29 long in the plane of line 3, is 5.8 long in its own, under the limit of "
-     "12, and keeps the vector.",
+    {"No. 19630 is compared at each corner separately: line 4 is 29 long in the plane of line 3, but 5.8 in its own "
+     "plane. This is below the limit of 12, and line 4 keeps the vector.",
      "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\", \"A\", \"B\", \"C\"]\n[parameters]\n19680 = 2\n19681 = 6\n"
      "19682 = 3\n19686 = 5\n19687 = 2\n\"5008#0\" = 1\n\"19605#5\" = 1\n19630 = 12\n[offsets.D]\n1 = \"3.25\"\n",
      "G90 G43.4 H0\nG00 X-34.151 Y-80 Z-4 B5 C42.882\nG41.2 G01 D1 X-34.151 Y-55 Z-4 F1000\n"

@@ -30,12 +30,12 @@ constexpr Example kExamples[] = {
     {"E5: block 12, without TCPM the tool is along Z; re-worked.", TOOL_1(REWORKED),
      CALL "LN " FACE_P " " FACE_N " R0\n"},
     {"E5 with the oversize.", TOOL_1(BALL_6), OVERSIZE "LN " FACE_P " " FACE_N " R0\n"},
-    {"E6: block 14, under TCPM the tool stands along the normal; re-worked: nothing moves.", TOOL_1(REWORKED),
+    {"E6: block 14, under TCPM the tool is along the normal; re-worked: nothing moves.", TOOL_1(REWORKED),
      CALL "LN " FACE_P " " FACE_N " R0 M128\n"},
     {"E6 with the oversize: the tip stays, the real tool moves by 0.2 n.", TOOL_1(BALL_6),
      OVERSIZE "LN " FACE_P " " FACE_N " R0 M128\n"},
-    {"E7: block 11, a straight line L is not compensated whatever the deltas; no check looks at them.", TOOL_1(BALL_6),
-     "TOOL CALL 1 Z F1000 DL+0.2 DR+0.2 DR2+0.2\nL " FACE_P " R0\n"},
+    {"E7: block 11, a straight line L is not compensated whatever the deltas, and no check looks at them.",
+     TOOL_1(BALL_6), "TOOL CALL 1 Z F1000 DL+0.2 DR+0.2 DR2+0.2\nL " FACE_P " R0\n"},
     {"5.10 without a normal: TCP' = P + R2' t with R2' = 0.98, (1,2,3.98), also with a tool vector, (1,2.588,3.784).",
      TOOL_1(TOROID_E11), "TOOL CALL 1 Z\nL X1 Y2 Z3 R0\nLN X1 Y2 Z3 TX0 TY0.6 TZ0.8 R0 M128\n"},
     {"5.10 without a normal under CNT-CNT: the tip P - R2 t, (1,2,2), TCP' = P + dR2 t, (1,2,2.98).",
@@ -51,9 +51,11 @@ constexpr Example kExamples[] = {
     {"E11 without TCPM: u = (-1, 0, 0).", TOOL_1(TOROID_E11), CALL "LN " FACE_P " " FACE_N " R0\n"},
     {"E11 in block 14: the tip stays, the real tool moves by 0.05 n.", TOOL_1(TOROID_E11),
      CALL "LN " FACE_P " " FACE_N " R0 M128\n"},
-    {"E13: normal and tool along Z: u = 0, the tip stays at P, the length counts.", TOOL_1(TOROID_E11),
+    {"E13: normal and tool along Z: u = 0, the tip stays at P, and the delta of the length acts.", TOOL_1(TOROID_E11),
      "TOOL CALL 1 Z\nM128\nLN X10 Y20 Z5 NX0 NY0 NZ1 TX0 TY0 TZ1\n"},
-    {"E13 nearly so: the ring touches, 0.08 beside. Both in one program, the contact jumps.", TOOL_1(TOROID_E11),
+    {"E13 with a normal nearly along Z: the ring touches, 0.08 to the side. Both blocks are in one program, so the "
+     "contact jumps.",
+     TOOL_1(TOROID_E11),
      "TOOL CALL 1 Z\nM128\nLN X10 Y20 Z5 NX0 NY0 NZ1 TX0 TY0 TZ1\nLN X10 Y20 Z5 NX0.0000001 NY0 NZ1 TX0 TY0 TZ1\n"},
     {"E16: rational, 5/2 with DL 0.25, DR 0.3, DR2 0.1, N = (0.6, 0, 0.8): u = (1, 0, 0), D_tip = (13/50, 0, -1/50).",
      TOOL_1(TOROID_E16), "TOOL CALL 1 Z\nLN X0 Y0 Z0 NX0.6 NY0 NZ0.8 M107\n"},
@@ -69,9 +71,11 @@ constexpr Example kExamples[] = {
     {"E27: a program in inches, the tool table in millimetres; F in tenths of an inch.", TOOL_1(REWORKED),
      "0 BEGIN PGM E27 INCH\n1 TOOL CALL 1 Z F400\n2 LN X+1.4176535 Y+0.2431890 Z-0.0756260 " FACE_N " " FACE_T
      " R0 M128\n3 END PGM E27 INCH\n"},
-    {"E28: output at the centre without CNT-CNT, the ball radius as negative DL: the axes go where those of E2 go.",
+    {"E28: output at the centre without CNT-CNT, the ball radius as negative DL: the axes go to the same positions as "
+     "in E2.",
      TOOL_1(REWORKED), "TOOL CALL 1 Z DL-3\nLN " FACE_P " " FACE_N " " FACE_T " R0 M128\n"},
-    {"The manual's syntax example, its minus a dash: both vectors far from normalised, and N.T < 0.", TOOL_1(REWORKED),
+    {"The manual's syntax example, with dashes as minus signs: both vectors are far from normalised, and N.T < 0.",
+     TOOL_1(REWORKED),
      "TOOL CALL 1 Z\nLN X+31.737 Y+21.954 Z+33.165 NX+0.2637581 NY+0.0078922 NZ–0.8764339 TX+0.0078922 TY–0.8764339 "
      "TZ+0.2590319 R0 F1000 M128\n"},
     {"The manual's table of deviations: 0.03 at 40 and -0.02 at 50 degrees give 0.005 at 45 degrees.",
@@ -80,12 +84,14 @@ constexpr Example kExamples[] = {
 
     {"Oversize 3/3, DR -0.1, DR2 -0.1: permitted everywhere.", ROW("3", "3", "-0.1", "-0.1"),
      PERMITTED WITHOUT_NORMAL NORMAL("5")},
-    {"Oversize 3/3, DR 0.2, DR2 0.2: under M107 alone; E_OVERSIZE_DR without a normal.", ROW("3", "3", "0.2", "0.2"),
-     PERMITTED WITHOUT_NORMAL},
+    {"Oversize 3/3, DR 0.2, DR2 0.2: permitted only under M107. After M108 a block without a normal raises "
+     "E_OVERSIZE_DR.",
+     ROW("3", "3", "0.2", "0.2"), PERMITTED WITHOUT_NORMAL},
     {"Oversize 3/3, DR 0.2, DR2 0.2 with a normal: E_OVERSIZE_DR.", ROW("3", "3", "0.2", "0.2"), CHECKED NORMAL("5")},
-    {"Oversize 3/3, DR2 0.3: under M107 a ball of 3.3; E_OVERSIZE_DR2 with a normal alone.", ROW("3", "3", "0", "0.3"),
-     PERMITTED WITHOUT_NORMAL NORMAL("5")},
-    {"Oversize 3/3, DR -0.1: under M107 the ball of 3 stays; E_R2_GT_R with a normal alone.",
+    {"Oversize 3/3, DR2 0.3: under M107 the tool is a ball of 3.3. After M108 only a block with a normal raises "
+     "E_OVERSIZE_DR2.",
+     ROW("3", "3", "0", "0.3"), PERMITTED WITHOUT_NORMAL NORMAL("5")},
+    {"Oversize 3/3, DR -0.1: under M107 the ball of 3 stays. After M108 only a block with a normal raises E_R2_GT_R.",
      ROW("3", "3", "-0.1", "0"), PERMITTED WITHOUT_NORMAL NORMAL("5")},
     {"Oversize 3/3, DR2 -0.1: a toroid cutter with a flat of 0.1, permitted.", ROW("3", "3", "0", "-0.1"),
      PERMITTED WITHOUT_NORMAL NORMAL("5")},
@@ -93,9 +99,11 @@ constexpr Example kExamples[] = {
     {"Oversize 6/1, DR2 -1.1 under M107: E_R2_NEG.", ROW("6", "1", "0", "-1.1"), PERMITTED},
     {"Oversize 6/1, DR2 -1.1 with a normal: E_R2_NEG.", ROW("6", "1", "0", "-1.1"), CHECKED NORMAL("5")},
     {"Oversize 6/1, DR2 -1.1 without a normal: E_R2_NEG.", ROW("6", "1", "0", "-1.1"), CHECKED WITHOUT_NORMAL},
-    {"Oversize 6/1, DR -5.5: under M107 a ball of 1; E_R2_GT_R with a normal alone.", ROW("6", "1", "-5.5", "0"),
-     PERMITTED WITHOUT_NORMAL NORMAL("5")},
-    {"Oversize 6/0, DR 0.2, DR2 0.2: under M107 a toroid cutter 6.2/0.2; E_OVERSIZE_DR without a normal.",
+    {"Oversize 6/1, DR -5.5: under M107 the tool is a ball of 1. After M108 only a block with a normal raises "
+     "E_R2_GT_R.",
+     ROW("6", "1", "-5.5", "0"), PERMITTED WITHOUT_NORMAL NORMAL("5")},
+    {"Oversize 6/0, DR 0.2, DR2 0.2: under M107 the tool is a toroid cutter 6.2/0.2. After M108 a block without a "
+     "normal raises E_OVERSIZE_DR.",
      ROW("6", "0", "0.2", "0.2"), PERMITTED WITHOUT_NORMAL},
     {"Oversize 6/0, DR 0.2, DR2 0.2 with a normal: E_OVERSIZE_DR.", ROW("6", "0", "0.2", "0.2"), CHECKED NORMAL("5")},
 };

@@ -15,10 +15,10 @@ constexpr Example kExamples[] = {
      "10 TOOL CALL 1 Z\n" BLOCK_11("RL") "13 LN " FLANK_P_12 " " FLANK_T "\n"},
     {"E9 and E10 under RR.", TOOL_1(END_MILL),
      "10 TOOL CALL 1 Z\n" BLOCK_11("RR") "13 LN " FLANK_P_12 " " FLANK_T "\n"},
-    {"E10 under R0: block 13 has no side, W_NO_LATERAL and P.", TOOL_1(END_MILL),
+    {"E10 under R0: block 13 has no side. W_NO_LATERAL, and the tip goes to P.", TOOL_1(END_MILL),
      "10 TOOL CALL 1 Z\n" BLOCK_11("R0") "13 LN " FLANK_P_12 " " FLANK_T " R0\n"},
     {"Blocks 11, 12 and 13 one after another, RL in block 11 and R0 in block 12 with its normal: block 11 ends in the "
-     "direction of its next block.",
+     "direction of block 12.",
      TOOL_1(END_MILL),
      "10 TOOL CALL 1 Z\n" BLOCK_11("RL") "12 LN " FLANK_P_12 " " FLANK_N " " FLANK_T " R0\n13 LN " FLANK_P_12
                                          " " FLANK_T "\n"},

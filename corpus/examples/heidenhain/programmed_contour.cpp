@@ -16,7 +16,8 @@ constexpr Example kExamples[] = {
      "TOOL CALL 1 Z\n" CONTOUR "M128\nLN X10 Y20 Z5 NX0 NY0 NZ1 TX0 TY0 TZ1\n"},
     {"E16: the tool touches at the programmed point: TIP' = (223/50, 0, -21/50).", TOOL_1(TOROID_E16),
      "TOOL CALL 1 Z\n" CONTOUR "LN X0 Y0 Z0 NX0.6 NY0 NZ0.8 M107\n"},
-    {"E16 at its contact point of OFF, q = (-4.2, 0, 0.4): the tip is that of OFF, TIP' = (13/50, 0, -1/50).",
+    {"E16 at its contact point under OFF, q = (-4.2, 0, 0.4): the tip is the same as under OFF, TIP' = (13/50, 0, "
+     "-1/50).",
      TOOL_1(TOROID_E16), "TOOL CALL 1 Z\n" CONTOUR "LN X-4.2 Y0 Z0.4 NX0.6 NY0 NZ0.8 M107\n"},
     {"Block 13 of face milling at the contact point of E1, rounded to 15 decimals: the tip of E1.", TOOL_1(REWORKED),
      "TOOL CALL 1 Z\n" CONTOUR "LN X+37.405832093293828 Y+8.144653760860809 Z-2.310969632306029 " FACE_N " " FACE_T

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The programmed contour: one program for each rule of the switch and of what the coordinates are.
+// The programmed contour: one program for each rule of FUNCTION PROG PATH and of the points that it gives.
 #include "corpus/examples/heidenhain/tools.h"
 
 namespace toolcomp::corpus {
@@ -12,18 +12,18 @@ namespace {
 constexpr Example kRules[] = {
     {"From IS CONTOUR to OFF, across a tool call; L without RL and RR keeps the programmed point.", TOOL_1(TOROID),
      CALL LN "\n" CONTOUR LN "\nL X5\n" CALL LN "\nFUNCTION PROG PATH OFF\n" LN "\n"},
-    {"CNT-CNT does not count in a compensated block under IS CONTOUR, but in L.", TOOL_1(TOROID),
+    {"CNT-CNT has no effect in a compensated block under IS CONTOUR, but it has in an L block.", TOOL_1(TOROID),
      CALL TCPM_CENTER CONTOUR LN " TX0 TY0 TZ1\nL X5\n" LN "\n"},
-    {"Round a square under RL: the tip stands beside it by 4.7, also under CNT-CNT.", TOOL_1(TOROID),
+    {"Round a square under RL: the tip is 4.7 beside it, also under CNT-CNT.", TOOL_1(TOROID),
      CALL CONTOUR TCPM_CENTER "L X0 Y-10 R0\nL Y0 RL\nL X20\nL Y20\nL X0\nL Y-10 R0\n"},
     {"Outside it under RR, with the tip as the reference point.", TOOL_1(TOROID),
      CALL CONTOUR "L X0 Y-10 R0 M128\nL Y0 RR\nL X20\nL Y20\nL X0\nL Y-10 R0\n"},
-    {"IS CONTOUR begins and ends between compensated blocks: the delta of the former block counts in the corner.",
+    {"IS CONTOUR begins and ends between compensated blocks: the delta of the former block is used at the corner.",
      TOOL_1("R = 6\nDR = -0.1\n"),
      CALL "L X0 Y-10 R0 M128\nL Y0 RL\nL X20\n" CONTOUR "L Y20\nFUNCTION PROG PATH OFF\nL X0\nL Y40 R0\n"},
     {"The nominal radius without deltas.", TOOL_1("R = 6\n"),
      CALL CONTOUR "L X0 Y-10 R0 M128\nL Y0 RL\nL X20\nL Y20 R0\n"},
-    {"A corner radius beyond the radius under M107: a ball of it touches.", TOOL_1(BALL_6 "DR2 = 0.3\n"),
+    {"A corner radius beyond the radius under M107: a ball of the corner radius touches.", TOOL_1(BALL_6 "DR2 = 0.3\n"),
      CALL CONTOUR LN " M107\n"},
     {"The flat touches: the tip is the programmed point.", TOOL_1(TOROID), CALL CONTOUR "LN X1 Y2 Z3 NX0 NY0 NZ5\n"},
     {"An undercut.", TOOL_1(TOROID), CALL CONTOUR "LN X1 Y2 Z3 NX0.6 NY0 NZ-0.8\n"},

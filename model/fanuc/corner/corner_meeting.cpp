@@ -37,13 +37,14 @@ std::optional<PlanePoint> line_meets_circle(Recorder& recorder, const PathEnd& l
   const Real h2 = square(h);
   const Real radius2 = t.length2 * arc.radius2();
   const Real discriminant = radius2 - h2;
-  // fanuc.cutter-c.line-meets-arc: A line and an arc (in either order): with N and t of the line, its own rho, and the
-  // arc's O and R', the offset line meets the offset circle where R' is at least |h|. Touching is meeting.
+  // fanuc.cutter-c.line-meets-arc: The offset line of a line and the offset circle of an arc, in either order, meet if
+  // R' is at least |h|. Touching counts as meeting. N, t and rho are those of the line; O and R' are those of the arc.
   const Sign meets = recorder.decide(Clause::fanuc_cutter_c_line_meets_arc, discriminant, radius2 + h2);
   if (meets == Sign::negative) return std::nullopt;
   const Real s0 = dot(center, t.along);
-  // fanuc.cutter-c.line-arc-point: Of the points where an offset line and an offset circle meet the one counts that
-  // tends to the corner as the offset tends to 0: the one on the same side of the foot of O as C.
+  // fanuc.cutter-c.line-arc-point: Of the points where an offset line and an offset circle meet, the one counts that
+  // tends to the corner as the offset tends to 0. Seen from the foot of the perpendicular from O to the line, this
+  // point is on the same side as C.
   const Real ahead = side(recorder.decide(Clause::fanuc_cutter_c_line_arc_point, s0, arc.heading.length * t.length));
   const Real s = meets == Sign::zero ? s0 : s0 - ahead * root(discriminant);
   return (line.offset / t.length) * left(t.along) + (s / t.length2) * t.along;
@@ -60,17 +61,17 @@ std::optional<PlanePoint> circles_meet(Recorder& recorder, const PathEnd& former
   const Real radius1 = former.radius();
   const Real radius2 = latter.radius();
   const Real sum2 = square(radius1 + radius2);
-  // fanuc.cutter-c.circles-apart: Two arcs: the offset circles (O1, R1'), (O2, R2') meet where the distance of the
-  // centres is at most the sum of the radii. Touching is meeting.
+  // fanuc.cutter-c.circles-apart: The offset circles of two arcs, (O1, R1') and (O2, R2'), can meet only if the
+  // distance of their centres is at most the sum of the radii. Touching counts as meeting.
   const Sign apart = recorder.decide(Clause::fanuc_cutter_c_circles_apart, sum2 - e2, sum2 + e2);
   if (apart == Sign::negative) return std::nullopt;
   const Real difference2 = square(radius1 - radius2);
-  // fanuc.cutter-c.circles-nested: And where that distance is at least the difference of the radii; asked where they do
-  // not lie apart.
+  // fanuc.cutter-c.circles-nested: Offset circles that do not lie apart (fanuc.cutter-c.circles-apart) meet if the
+  // distance of their centres is at least the difference of the radii.
   const Sign nested = recorder.decide(Clause::fanuc_cutter_c_circles_nested, e2 - difference2, e2 + difference2);
   if (nested == Sign::negative) return std::nullopt;
 
-  // fanuc.cutter-c.arc-arc-point: Of the two points where the offset circles meet the one counts that lies on the same
+  // fanuc.cutter-c.arc-arc-point: Of the two points where two offset circles meet, the one counts that is on the same
   // side of the line through the centres as the corner.
   const Sign q =
       recorder.decide(Clause::fanuc_cutter_c_arc_arc_point, cross(center1, center2), former.heading.length * sqrt(e2));

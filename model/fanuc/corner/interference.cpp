@@ -13,8 +13,9 @@ bool sweeps_far_apart(Recorder& recorder, ToolArcRun& run) {
   const Sweep& tool = run.sweep();
   if (programmed.up_to_half() == tool.up_to_half()) return false;
   const Real gain = tool.sine * programmed.cosine - tool.cosine * programmed.sine;
-  // fanuc.cutter-c.interference-sweep: Else an arc block interferes, in the pair q = 0, where the sweep of the tool's
-  // arc (fanuc.cutter-c.arc-sweep) differs from the programmed one by more than 180 degrees.
+  // fanuc.cutter-c.interference-sweep: An arc block that fanuc.cutter-c.interference-radius does not decide interferes,
+  // in the pair q = 0, if the sweep of the tool's arc (fanuc.cutter-c.arc-sweep) differs from the programmed one by
+  // more than 180 degrees.
   return recorder.decide(Clause::fanuc_cutter_c_interference_sweep, programmed.up_to_half() ? -gain : gain,
                          run.radii()) == Sign::positive;
 }
@@ -29,9 +30,9 @@ Real bound(const PlanePoint& vector) {
 }  // namespace
 
 bool arc_interferes(Recorder& recorder, const PathEnd& start, const PathEnd& end, ToolArcRun& run) {
-  // fanuc.cutter-c.interference-radius: An arc block interferes, in the pair q = 0, where the offset is larger than its
-  // radius at either end: R' < 0 with rho of the corner at its start and |P - O|, or with rho of its own end and |Q -
-  // O|. The start is asked first.
+  // fanuc.cutter-c.interference-radius: An arc block interferes, in the pair q = 0, if the offset is larger than its
+  // radius at either end. At the start this is R' < 0 with |P - O| and the rho of the corner there; at the end it is R'
+  // < 0 with |Q - O| and the rho of the block's own end. The start is asked first.
   const Clause radius = Clause::fanuc_cutter_c_interference_radius;
   const Sign at_start = decide_offset_radius(recorder, radius, start);
   if (at_start == Sign::negative) return true;
@@ -54,7 +55,7 @@ bool line_interferes(Recorder& recorder, const OffsetPath& path, const PlanePoin
   const Real length = path.is_arc() ? sqrt(length2) : path.start.heading.length;
   const Real along = length2 + dot(path.travel, to - from);
   const Real scale = length * (length + bound(from) + bound(to));
-  // fanuc.cutter-c.interference-direction: A straight block interferes where the tool's direction differs from the
+  // fanuc.cutter-c.interference-direction: A straight block interferes if the tool's direction differs from the
   // programmed one by more than 90 degrees. Exactly 90 degrees, and a tool that does not move, are no interference
   // (ours).
   return recorder.decide(Clause::fanuc_cutter_c_interference_direction, along, scale) == Sign::negative;
@@ -68,9 +69,9 @@ Passage remove_interference(Recorder& recorder, SpaceGroup& at_start, SpaceGroup
   std::size_t to = 0;
   for (std::size_t pairs = drops ? std::max(at_start.size(), at_end.size()) : 1; pairs > 0; --pairs) {
     const bool first = passage == Passage::free;
-    // fanuc.cutter-c.interference-pairs: Pairs are tested from the corner moves inward to outward, q = 0, 1, …, max(m,
-    // n) - 1: the vectors number max(m - q, 1) of V and min(1 + q, n) of W, m and n as at the beginning. The first pair
-    // without interference ends the check.
+    // fanuc.cutter-c.interference-pairs: The check tests pairs of a vector at the start and a vector at the end of the
+    // block, from the innermost pair outward. For q = 0, 1, …, max(m, n) - 1 the pair is number max(m - q, 1) of V and
+    // number min(1 + q, n) of W, with m and n as at the beginning. The first pair without interference ends the check.
     if (!recorder.decide(Clause::fanuc_cutter_c_interference_pairs, interferes(first, at_start[from], at_end[to]))) {
       at_start.resize(from + 1);
       at_end.erase(at_end.begin(), at_end.begin() + static_cast<std::ptrdiff_t>(to));

@@ -47,10 +47,10 @@ CutterOffset LookAhead::next_offset(const Step& now, bool meets_first) const {
   const bool first = started_ && *started_ != offset.side;
   const bool meets_start =
       meets_first && !held_.empty() && held_.front().starts() && held_.front().offset.side != offset.side;
-  // fanuc.cutter-c.direction-change-at-start-up: The first moving block after a start-up (after the start-up block, one
-  // that follows G53 or a reference return included, or after the G41 or G42 of SUV = 1) must not change the side,
-  // however many blocks without motion lie between, and whatever the value: DIR_CHANGE_AT_STARTUP, a name of ours,
-  // names it.
+  // fanuc.cutter-c.direction-change-at-start-up: The first moving block after a start-up must not change the side; a
+  // change raises DIR_CHANGE_AT_STARTUP, a name of ours, at that block. A start-up here is the start-up block, also one
+  // that follows G53 or a reference return, or the G41 or G42 of SUV = 1. The rule holds however many blocks without
+  // motion come between, and whatever the value.
   if (first || meets_start)
     raise(recorder_, Clause::fanuc_cutter_c_direction_change_at_start_up, AlarmCause::side_change_at_start);
   return offset;
@@ -187,12 +187,12 @@ void LookAhead::release(SpaceGroup at_end) {
 }
 
 Passage LookAhead::check(const Held& held, SpaceGroup& at_end, ToolArcRun* run) {
-  // fanuc.cutter-c.interference-check: No. 5008 bit 0, CNI: 0 checks for interference, 1 does not.
+  // fanuc.cutter-c.interference-check: No. 5008 bit 0, CNI, switches the interference check: 0 checks, 1 does not.
   if (held.kind != Held::Kind::moving || !held.checked ||
       !recorder_.decide(Clause::fanuc_cutter_c_interference_check, checks_))
     return Passage::free;
-  // fanuc.cutter-c.interference-at-once: No. 5008 bit 3, CNV, of cutter compensation C on series 30i: with 1 no vector
-  // is dropped, and the first pair with interference is the last one: PS0041 comes at once. On series 16i the bit means
+  // fanuc.cutter-c.interference-at-once: With No. 5008 bit 3, CNV, at 1, cutter compensation C on series 30i drops no
+  // vector. The first pair with interference is then the last one, so PS0041 comes at once. On series 16i the bit means
   // nothing.
   const auto& parameters = rules_.interference;
   bool by_direction = false;
@@ -210,21 +210,21 @@ Passage LookAhead::check(const Held& held, SpaceGroup& at_end, ToolArcRun* run) 
   };
   const bool drops = !(parameters && parameters->keeps_vectors);
   Passage passage = remove_interference(recorder_, here_, at_end, interferes, drops);
-  // fanuc.cutter-c.interference-without-alarm: No. 5008 bit 1, CNC, of cutter compensation C: with 1 no alarm is raised
-  // where the last pair interferes because the directions differ by 90 to 270 degrees
-  // (fanuc.cutter-c.interference-direction): the block runs between the vectors that are left.
+  // fanuc.cutter-c.interference-without-alarm: With No. 5008 bit 1, CNC, at 1, cutter compensation C raises no alarm if
+  // the last pair interferes because the directions differ by 90 to 270 degrees
+  // (fanuc.cutter-c.interference-direction). The block then runs between the vectors that are left.
   if (passage == Passage::blocked && by_direction && parameters &&
       recorder_.decide(Clause::fanuc_cutter_c_interference_without_alarm, parameters->no_alarm))
     passage = drops ? leave_outer_vectors(here_, at_end) : Passage::free;
-  // fanuc.cutter-c.interference-alarm: Interference of the last pair, or of the only one, raises PS0041 (but
-  // fanuc.cutter-c.interference-without-alarm). It names the block: neither it nor its corner moves are given; the
-  // block before runs to its first head.
+  // fanuc.cutter-c.interference-alarm: Interference of the last pair, or of the only pair, raises PS0041 (except in
+  // fanuc.cutter-c.interference-without-alarm). The alarm names the block. Neither the block nor its corner moves are
+  // given; the block before it runs to the first head of its own group.
   if (passage == Passage::blocked)
     raise_held(Clause::fanuc_cutter_c_interference_alarm, AlarmCause::interference,
                by_direction ? held.path->backwards(last_from, last_to) : held.path->excess());
   // fanuc.cutter-c.interference-straightened: An arc block that has interfered in its first pair is a straight block
-  // from then on: the next pairs are tested as of a line from P to Q, and its own move is linear from the last vector
-  // left at its start to the first left at its end, with the block's feed; cause programmed.
+  // from then on. The next pairs are tested as for a line from P to Q. The block's own move is linear, from the last
+  // vector left at its start to the first vector left at its end, with the block's feed; the cause is programmed.
   if (passage == Passage::shortened) recorder_.decide(Clause::fanuc_cutter_c_interference_straightened, run != nullptr);
   return passage;
 }

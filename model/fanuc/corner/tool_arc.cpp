@@ -55,8 +55,8 @@ const Sweep& ToolArcRun::sweep() {
     scale = sqrt(start2_ * end2_);
   }
   // fanuc.cutter-c.arc-sweep: The tool runs an arc block about the programmed centre, in the programmed direction, from
-  // its head at the start to its head at the end; the sweep lies over 0 and up to 360 degrees, heads on one ray from
-  // the centre are a whole turn, and no sweep is stated where a head lies in the centre.
+  // the head at its start to the head at its end. The sweep is over 0 and up to 360 degrees. If the heads are on one
+  // ray from the centre, it is a whole turn. If a head is in the centre, no sweep is stated.
   sweep_->side = recorder_.decide(Clause::fanuc_cutter_c_arc_sweep, sweep_->sine, scale);
   return *sweep_;
 }
@@ -66,9 +66,9 @@ ToolArc ToolArcRun::arc() {
   // On one circle the squares are one number, which needs no proof; of such heads too.
   const bool one_circle = start_on_ && end_on_ && path_.one_radius && path_.start.offset == path_.end.offset;
   const Real growth = one_circle || heads_ != HeadPair::any ? Real(0) : end2_ - start2_;
-  // fanuc.cutter-c.arc-radii: Where the heads of an arc block have different distances from the centre the tool runs a
-  // spiral whose radius changes evenly with the angle (programmed arcs of two radii, heads that do not lie on the
-  // offset circle, another value at the end than at the start).
+  // fanuc.cutter-c.arc-radii: If the heads of an arc block have different distances from the centre, the tool runs a
+  // spiral whose radius changes evenly with the angle. This happens with programmed arcs of two radii, with heads that
+  // are not on the offset circle, and with another value at the end than at the start.
   if (recorder_.decide(Clause::fanuc_cutter_c_arc_radii, growth, end2_ + start2_) != Sign::zero)
     arc.radius = {distance(start_on_, path_.start, start2_, start_sign_),
                   distance(end_on_, path_.end, end2_, end_sign_)};

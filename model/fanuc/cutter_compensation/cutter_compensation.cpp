@@ -24,20 +24,20 @@ void CutterCompensation::add_way(StageWords& words, const BlockWay& way) const {
 
 void CutterCompensation::check_common(const CutterBlock& words) const {
   const bool in_force = words.side != CutterSide::none;
-  // fanuc.cutter.plane-axes: A block in which G41 or G42 is in force raises PS0028 where the machine lacks an axis of
-  // the plane. U V W are axes outside every plane.
+  // fanuc.cutter.plane-axes: A block in which G41 or G42 is in force raises PS0028 if the machine lacks an axis of the
+  // plane. U, V and W are axes outside every plane.
   if (in_force && words.lacks_axis) raise(recorder(), Clause::fanuc_cutter_plane_axes, AlarmCause::plane_axis_missing);
-  // fanuc.cutter.plane-change: G17, G18 or G19 that changes the plane raises PS0037 while cutter compensation is on
-  // before the block, also in the block that cancels it.
+  // fanuc.cutter.plane-change: A G17, G18 or G19 that changes the plane raises PS0037 if cutter compensation is on
+  // before the block. This holds also for the block that cancels it.
   if (on() && words.plane_changed) raise(recorder(), Clause::fanuc_cutter_plane_change, AlarmCause::plane_change);
-  // fanuc.cutter.excluded: G41.3, G41.2, G42.2, G41.6 and G42.6 while cutter compensation is on before the block, and
-  // G43.4 and G43.5 while it is on before the block or G41 or G42 is in force in it, raise
-  // FORBIDDEN_IN_CUTTER_COMPENSATION.
+  // fanuc.cutter.excluded: G41.3, G41.2, G42.2, G41.6 and G42.6 raise FORBIDDEN_IN_CUTTER_COMPENSATION if cutter
+  // compensation is on before the block. G43.4 and G43.5 raise it if cutter compensation is on before the block, or if
+  // G41 or G42 is in force in the block.
   if ((on() && words.other_compensation) || ((on() || in_force) && words.tip_control))
     raise(recorder(), Clause::fanuc_cutter_excluded, AlarmCause::forbidden_in_cutter_compensation);
-  // fanuc.tool-offset.in-cutter-compensation: G45 to G48 while cutter compensation B or C is on (fanuc.cutter.on; after
-  // a lone G40 too while a vector waits for its removal) before the block or after it raise PS0042, with or without an
-  // axis word.
+  // fanuc.tool-offset.in-cutter-compensation: G45 to G48 raise PS0042 if cutter compensation B or C is on before or
+  // after the block, with or without an axis word. It counts as on by fanuc.cutter.on, and also after a lone G40 while
+  // a vector waits for its removal.
   if ((on() || wanted(words)) && is_tool_offset(words.one_shot))
     raise(recorder(), Clause::fanuc_tool_offset_in_cutter_compensation, AlarmCause::tool_offset_in_cutter_compensation);
 }

@@ -39,12 +39,12 @@ void CutterCompensationB::check_corner_arc(const CutterBlock& words) const {
 
 void CutterCompensationB::check_arc(const CutterBlock& words) const {
   const bool is_on = words.side != CutterSide::none;
-  // fanuc.cutter-b.arc-with-code: G41 or G42 in a block that is an arc raises PS0034, a repeated code included. A block
-  // is an arc where G02 or G03 is in force, no other code of group 00 stands in it, and it holds an axis word of the
-  // plane, I, J, K or R.
+  // fanuc.cutter-b.arc-with-code: G41 or G42 in a block that is an arc raises PS0034, even if the code is repeated. A
+  // block is an arc if G02 or G03 is in force, it has no code of group 00, and it has an axis word of the plane, I, J,
+  // K or R.
   if (is_on && words.code) raise(recorder(), Clause::fanuc_cutter_b_arc_with_code, AlarmCause::arc_at_start_or_cancel);
-  // fanuc.cutter-b.arc-with-number: A word that gives the cutter another number than the one in force, in a block that
-  // is an arc while the mode is on, raises PS0034.
+  // fanuc.cutter-b.arc-with-number: In a block that is an arc while the mode is on, a word that gives the cutter
+  // another number than the one in force raises PS0034.
   if (is_on && changes_number(words))
     raise(recorder(), Clause::fanuc_cutter_b_arc_with_number, AlarmCause::arc_at_start_or_cancel);
   // fanuc.cutter-b.arc-at-start-up: An arc as the first block that would make a vector (the start-up) raises PS0034.
@@ -73,15 +73,16 @@ void CutterCompensationB::run(Step& step) {
     if (on()) cancel(step);
     return;
   }
-  // fanuc.cutter-b.mode: The mode is on from the block with G41 or G42 to the one with G40.
-  // fanuc.cutter-b.switch: G41 under G42 and G42 under G41 need no G40 between: the next vector that is made, in the
-  // same block where it is a straight one, lies on the new side. A repeated code changes nothing.
+  // fanuc.cutter-b.mode: The mode is on from the block with G41 or G42 to the block with G40.
+  // fanuc.cutter-b.switch: A change from G41 to G42, or from G42 to G41, needs no G40 between. The next vector that is
+  // made is on the new side; it is made in the same block if that block is a straight one. A repeated code changes
+  // nothing.
   if (!on())
     recorder().reach(Clause::fanuc_cutter_b_mode);
   else if (block.code)
     recorder().decide(Clause::fanuc_cutter_b_switch, block.side != block.before);
-  // fanuc.cutter-b.number-changed: A new number while the mode is on counts for the next vector that is made, in the
-  // same block where it is a straight one; a vector that is kept keeps its length.
+  // fanuc.cutter-b.number-changed: A new number while the mode is on counts for the next vector that is made, which is
+  // in the same block if that block is a straight one. A vector that is kept keeps its length.
   if (on() && block.number_given) recorder().decide(Clause::fanuc_cutter_b_number_changed, changes_number(block));
   if (block.one_shot == OneShot::corner_arc) {
     corner_arc(step);
@@ -89,8 +90,8 @@ void CutterCompensationB::run(Step& step) {
   }
   switch (block.motion) {
     case PlaneMotion::none:
-      // fanuc.cutter-b.kept: A block without an axis word of the plane that is no arc keeps the vector, whatever else
-      // it moves; I J K in it mean nothing.
+      // fanuc.cutter-b.kept: A block that has no axis word of the plane and is not an arc keeps the vector, whatever
+      // else it moves. I, J and K in it mean nothing.
       recorder().reach(Clause::fanuc_cutter_b_kept);
       keep(step);
       break;
@@ -133,8 +134,8 @@ void CutterCompensationB::line(Step& step) {
     vector_ = *made;
     if (!std::exchange(started_, true)) {
       // fanuc.cutter-b.start-up: The first vector made after the mode began, or after G28, G29, G30, G30.1 or G53 took
-      // it away, is the start-up: its block is a straight one, and its own move has cause start-up. Blocks before it
-      // have no vector.
+      // the vector away, is the start-up. Its block is a straight one, and the own move of that block has the cause
+      // start-up. Blocks before it have no vector.
       recorder().reach(Clause::fanuc_cutter_b_start_up);
       step.moves.front().leg.cause = spec::Cause::start_up;
     }
@@ -175,9 +176,9 @@ void CutterCompensationB::corner_arc(Step& step) {
 
 // G53, G28, G30, G29: the vector goes in the first move where an axis of the plane is named.
 void CutterCompensationB::machine_position(Step& step) {
-  // fanuc.cutter-b.machine-position: G28, G29, G30, G30.1 and G53 that name an axis of the plane take the whole vector
-  // away: in the first of their moves, the one to the intermediate point. The mode stays on, and the next vector that
-  // is made is a start-up.
+  // fanuc.cutter-b.machine-position: G28, G29, G30, G30.1 and G53 take the whole vector away if they name an axis of
+  // the plane. The vector goes in the first of their moves, the one to the intermediate point. The mode stays on, and
+  // the next vector that is made is a start-up.
   if (recorder().decide(Clause::fanuc_cutter_b_machine_position, said(step).has_plane_word())) {
     vector_ = {};
     started_ = false;

@@ -17,23 +17,24 @@ PlanePoint across(const Rational& length, const PlanePoint& direction) {
 }  // namespace
 
 // fanuc.cutter-b.vector: While the mode is on, a straight block (G00 or G01) with an axis word of the plane makes the
-// vector at its end, of the length of the offset value, at right angles to a direction: left of it under G41, right
-// under G42. The direction is that of I J K where the block has them, else that of its own travel in the plane.
+// vector at its end. The vector is as long as the offset value and at right angles to a direction, to the left of it
+// under G41, to the right under G42. The direction is that of I J K if the block has them, otherwise that of its own
+// travel in the plane.
 std::optional<PlanePoint> CutterBRules::at_end_of_line(const CutterBlock& block) const {
   PlanePoint direction;
   bool kept = false;
-  // fanuc.cutter-b.direction-words: I J (G17), K I (G18), J K (G19) in such a block are the direction, in any straight
-  // block of the mode; only the direction counts, a missing letter is 0, the letter that is not of the plane means
-  // nothing.
+  // fanuc.cutter-b.direction-words: In any straight block of the mode with an axis word of the plane, I J (G17), K I
+  // (G18) or J K (G19) are the direction. Only the direction counts. A missing letter is 0, and the letter that is not
+  // of the plane means nothing.
   if (recorder_.decide(Clause::fanuc_cutter_b_direction_words, block.direction.has_value())) {
     direction = *block.direction;
-    // fanuc.cutter-b.direction-zero: Where the direction is given and is zero (letters of the plane that are 0) no
-    // vector is made: the one in force is kept.
+    // fanuc.cutter-b.direction-zero: If the direction is given and is zero (letters of the plane that are 0), no vector
+    // is made, and the one in force is kept.
     kept = recorder_.decide(Clause::fanuc_cutter_b_direction_zero, is_zero(direction));
   } else {
     direction = block.end - block.start;
-    // fanuc.cutter-b.no-travel: A block with an axis word of the plane, without a direction and without travel in the
-    // plane, makes no vector: the one in force is kept.
+    // fanuc.cutter-b.no-travel: A block with an axis word of the plane, but without a direction and without travel in
+    // the plane, makes no vector, and the one in force is kept.
     kept = recorder_.decide(Clause::fanuc_cutter_b_no_travel, block.motion == PlaneMotion::zero_travel);
   }
   if (kept) return std::nullopt;
@@ -43,8 +44,8 @@ std::optional<PlanePoint> CutterBRules::at_end_of_line(const CutterBlock& block)
 
 // fanuc.cutter-b.number-zero: Number 0 is a number of the value 0: vectors of length 0 are made with it, the start-up
 // included. D0 does not cancel the mode.
-// fanuc.cutter.side: G41 with a positive value and G42 with a negative one offset to the left of the movement, the
-// other two to the right: a negative value exchanges G41 and G42.
+// fanuc.cutter.side: G41 with a positive value and G42 with a negative value offset to the left of the movement, and
+// the other two cases to the right. A negative value thus exchanges G41 and G42.
 Rational CutterBRules::to_the_left(const CutterBlock& block) const {
   recorder_.decide(Clause::fanuc_cutter_b_number_zero, block.number == 0);
   const Rational length = block.side == CutterSide::left ? block.offset : Rational(-block.offset);
@@ -52,9 +53,9 @@ Rational CutterBRules::to_the_left(const CutterBlock& block) const {
   return length;
 }
 
-// fanuc.cutter-b.arc-vector: On an arc the vector at the end lies on the line of centre and end, left (G41) or right
-// (G42) of the way the tool goes there. The tool goes on an arc about the same centre in the same direction from the
-// old head to the new one. Where the block before does not join in a tangent the two heads lie at different distances
+// fanuc.cutter-b.arc-vector: The vector at the end of an arc is on the line of centre and end, to the left (G41) or
+// right (G42) of the tool's movement there. The tool goes from the old head to the new one on an arc about the same
+// centre in the same direction. If the block before does not join in a tangent, the two heads have different distances
 // from the centre, and the tool's arc is a spiral.
 // fanuc.cutter-b.arc-ends-in-center: An arc whose end is its centre has no direction there and raises PS0038.
 PlanePoint CutterBRules::at_end_of_arc(const CutterBlock& block) const {
@@ -66,15 +67,15 @@ PlanePoint CutterBRules::at_end_of_arc(const CutterBlock& block) const {
 }
 
 // fanuc.cutter-b.arc-sweep: The sweep of the tool's arc (G39's arc included) is the angle from the old head to the new
-// one about the centre, in the direction of the arc, over 0 up to 360 degrees; both on one ray: a whole turn. It never
-// makes more than one turn. Where a head lies in the centre no sweep can be stated.
+// one about the centre, in the direction of the arc, over 0 and up to 360 degrees. If both heads are on one ray, it is
+// a whole turn. The arc never makes more than one turn. If a head is in the centre, no sweep can be stated.
 HeadArc CutterBRules::head_to_head(spec::ArcDirection direction, const PlanePoint& from, const PlanePoint& to) const {
   HeadArc way;
   const Real from2 = squared_norm(from);
   const Real to2 = squared_norm(to);
   const bool in_center = from2.sign() == Sign::zero || to2.sign() == Sign::zero;
-  // fanuc.cutter-b.arc-head-in-center: Where the old or the new head lies in the centre (the offset value is the radius
-  // of an arc that is cut inside) no sweep can be stated.
+  // fanuc.cutter-b.arc-head-in-center: If the old or the new head is in the centre (the offset value is the radius of
+  // an arc that is cut inside), no sweep can be stated.
   if (!recorder_.decide(Clause::fanuc_cutter_b_arc_head_in_center, in_center)) {
     const Real left_turn = cross(from, to);
     const Real sine = direction == spec::ArcDirection::ccw ? left_turn : -left_turn;
@@ -83,8 +84,8 @@ HeadArc CutterBRules::head_to_head(spec::ArcDirection direction, const PlanePoin
     way.sweep = swept_angle(sine, cosine, side);
     way.one_head = side == Sign::zero && cosine.sign() == Sign::positive;
   }
-  // fanuc.cutter-b.arc-radii: Where the heads have different distances from the centre the radius grows or shrinks
-  // evenly with the angle, and the event holds both.
+  // fanuc.cutter-b.arc-radii: If the heads have different distances from the centre, the radius of the tool's arc grows
+  // or shrinks evenly with the angle, and the event holds both radii.
   if (recorder_.decide(Clause::fanuc_cutter_b_arc_radii, to2 - from2, to2 + from2) != Sign::zero) {
     way.radius = {sqrt(from2), sqrt(to2)};
     way.one_head = false;
@@ -92,14 +93,14 @@ HeadArc CutterBRules::head_to_head(spec::ArcDirection direction, const PlanePoin
   return way;
 }
 
-// fanuc.cutter-b.cancel: G40 removes the vector at once: the block's own move goes from the old head to the programmed
-// end without a vector, in rapid traverse under G00, else straight, also where the block moves only outside the plane.
-// Once the start-up is made its cause is cancel; before, and while the mode is off, it is programmed. I J K in the
-// block mean nothing.
-// fanuc.cutter-b.cancel-alone: G40 in a block without an axis word moves the tool back by the vector, one move of cause
-// cancel; a zero vector makes no move. A length offset that changes in the block goes along; with a zero vector it has
-// its own move, of cause programmed. G92, G10 and G04 count as blocks without an axis word; with G92 the coordinates
-// are those after the renaming.
+// fanuc.cutter-b.cancel: G40 removes the vector at once. The block's own move goes from the old head to the programmed
+// end, without a vector there, in rapid traverse under G00, otherwise straight, even if the block moves only outside
+// the plane. If the start-up has been made, the cause of this move is cancel; before the start-up, and while the mode
+// is off, it is programmed. I, J and K in the block mean nothing.
+// fanuc.cutter-b.cancel-alone: G40 in a block without an axis word moves the tool back by the vector, in one move with
+// the cause cancel. A zero vector makes no move. A length offset that changes in the block goes along; with a zero
+// vector it has its own move, with the cause programmed. G92, G10 and G04 count as blocks without an axis word; with
+// G92 the coordinates are those after the renaming.
 Removal CutterBRules::removal(const CutterBlock& block, bool started, const PlanePoint& vector) const {
   const bool has_started = recorder_.decide(Clause::fanuc_cutter_b_cancel, started);
   const bool by_words = block.axis_word && (block.one_shot == OneShot::none || block.motion != PlaneMotion::none);
@@ -108,29 +109,29 @@ Removal CutterBRules::removal(const CutterBlock& block, bool started, const Plan
 }
 
 // fanuc.cutter-b.corner-arc: G39 in the mode makes a new vector at right angles to a direction and takes the tool there
-// on an arc about the programmed point, with cause corner and the feed of the block. The programmed position stays. G39
-// is not modal, and the code of group 01 in force stays. That it also runs under G00 is our definition; the manual
-// speaks of G01, G02 and G03. A length offset that changes in the block goes along with the arc; where there is no arc
-// it has its own move, of cause programmed.
+// on an arc about the programmed point, with the cause corner and the feed of the block. The programmed position stays.
+// G39 is not modal, and the code of group 01 in force stays. That G39 also runs under G00 is our definition; the manual
+// speaks of G01, G02 and G03. A length offset that changes in the block goes along with the arc. If there is no arc, it
+// has its own move, with the cause programmed.
 CornerArcOfB CutterBRules::corner_arc(const CutterBlock& block, const PlanePoint& before) const {
   recorder_.reach(Clause::fanuc_cutter_b_corner_arc);
-  // fanuc.cutter-b.corner-arc-direction: The direction is that of I J (K I, J K), a missing letter 0; without a letter
-  // of the plane that of the axis words: in G91 as written, in G90 from the programmed position to the point named (a
-  // missing axis: 0), both in the workpiece system in force after the codes of the block. Where both stand I J K count
-  // (our definition).
+  // fanuc.cutter-b.corner-arc-direction: The direction of G39 is that of I J (K I, J K); a missing letter is 0. Without
+  // a letter of the plane it is that of the axis words: in G91 as written, in G90 from the programmed position to the
+  // point named (a missing axis gives 0), both in the workpiece system in force after the codes of the block. If the
+  // block has both, I J K count (our definition).
   recorder_.decide(Clause::fanuc_cutter_b_corner_arc_direction, block.direction_letters);
   const Rational length = to_the_left(block);
   CornerArcOfB result;
   result.vector = across(length, *block.direction);
-  // fanuc.cutter-b.corner-arc-sense: The arc runs clockwise under G41 and counter-clockwise under G42. A negative
-  // offset value turns the sense round; a value of 0 counts as not positive (both our definition).
+  // fanuc.cutter-b.corner-arc-sense: The arc of G39 runs clockwise under G41 and counter-clockwise under G42. A
+  // negative offset value reverses the sense, and a value of 0 counts as not positive (both our definition).
   const bool clockwise = recorder_.decide(Clause::fanuc_cutter_b_corner_arc_sense, length > 0);
   result.direction = clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
   const bool no_vector = is_zero(before) && is_zero(result.vector);
   if (!no_vector) result.way = head_to_head(result.direction, before, result.vector);
-  // fanuc.cutter-b.corner-arc-none: Where the new vector is the old one G39 makes no move, also where the block has
-  // axis words. Only both being equal in direction and length counts: fanuc.cutter-b.arc-sweep and
-  // fanuc.cutter-b.arc-radii are both ties and the heads lie on one ray, or both vectors are zero.
+  // fanuc.cutter-b.corner-arc-none: If the new vector equals the old one, G39 makes no move, even if the block has axis
+  // words. The vectors are equal only if both direction and length are: fanuc.cutter-b.arc-sweep and
+  // fanuc.cutter-b.arc-radii are both ties and the heads are on one ray, or both vectors are zero.
   result.moves = !recorder_.decide(Clause::fanuc_cutter_b_corner_arc_none, no_vector || result.way.one_head);
   return result;
 }

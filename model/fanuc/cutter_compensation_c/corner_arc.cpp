@@ -10,9 +10,10 @@ namespace toolcomp::model {
 void CutterCompensationC::take_corner_arc(Step& now) {
   ahead_.end_before(now);
   const CutterBlock& block = said(now);
-  // fanuc.cutter-c.corner-arc-direction: u is the direction of the letters of the plane among I J K (a missing one is
-  // 0; the other letter means nothing); without them it is the start tangent of the next moving block, the cancel block
-  // (its own line, whatever its I J K) and, with CCN = 1, the way to the intermediate point included.
+  // fanuc.cutter-c.corner-arc-direction: The direction u of G39 is that of the letters of the plane among I J K. A
+  // missing letter is 0, and the letter outside the plane means nothing. Without letters of the plane, u is the start
+  // tangent of the next moving block. That block may also be the cancel block (its own line, whatever its I J K) or,
+  // with CCN = 1, the way to the intermediate point.
   const bool has_direction =
       recorder().decide(Clause::fanuc_cutter_c_corner_arc_direction, block.direction.has_value());
   SpaceGroup group;
@@ -25,8 +26,9 @@ void CutterCompensationC::take_corner_arc(Step& now) {
 SpaceGroup CutterCompensationC::turn(Step& arc, const Heading& to, bool next_is_square) {
   const Rational offset = ahead_.last_offset().left();
   if (offset == 0) {
-    // fanuc.cutter-c.value-zero: Where r = 0 the group is the vector zero alone, whatever the corner and No. 5010: no
-    // corner moves before an arc of 180 degrees or more either. A start-up and a cancel with it keep their causes.
+    // fanuc.cutter-c.value-zero: If r = 0, the group is the zero vector alone, whatever the corner and No. 5010. There
+    // are then no corner moves, not even before an arc of 180 degrees or more. A start-up and a cancel with r = 0 keep
+    // their causes.
     recorder().reach(Clause::fanuc_cutter_c_value_zero);
     return ahead_.here();
   }
@@ -34,9 +36,9 @@ SpaceGroup CutterCompensationC::turn(Step& arc, const Heading& to, bool next_is_
   const Real left_turn = cross(here_heading_.along, to.along);
   const Real cosine = dot(here_heading_.along, to.along);
   const Real sine = clockwise ? -left_turn : left_turn;
-  // fanuc.cutter-c.corner-arc: G39 while the mode is on: the block before ends with P1, and the tool runs an arc about
-  // the corner from the vector V in force to V' = rho N(u); r and side are those of the moving block before, whatever
-  // changed since.
+  // fanuc.cutter-c.corner-arc: With G39 while the mode is on, the block before ends with P1, and the tool runs an arc
+  // about the corner from the vector V in force to V' = rho N(u). r and side are those of the moving block before,
+  // whatever has changed since.
   const Sign side = recorder().decide(Clause::fanuc_cutter_c_corner_arc, sine, here_heading_.length * to.length);
   const CutterBlock& block = said(arc);
   PathEnd end;

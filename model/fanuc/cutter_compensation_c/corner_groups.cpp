@@ -9,9 +9,9 @@ SpaceGroup CutterCompensationC::without_corner(const Held& held) {
 }
 
 SpaceGroup CutterCompensationC::vector_of_start(Held& held, const PathEnd& next) {
-  // fanuc.cutter-c.start-without-motion: SUV = 1, the mode off, the word G41 or G42 in a block that does not move in
-  // the plane, a number other than 0 in force at its end: the tool moves by P2 of the next moving block B, with the
-  // value in force at the end of the G41 or G42 block; cause start-up.
+  // fanuc.cutter-c.start-without-motion: If SUV = 1, the mode is off, and a block that does not move in the plane has
+  // the word G41 or G42 and a number other than 0 in force at its end, the tool moves by P2 of the next moving block B.
+  // P2 has the value in force at the end of the G41 or G42 block; the cause is start-up.
   recorder().reach(Clause::fanuc_cutter_c_start_without_motion);
   see_move_alone(held.step, held.offset.distance != 0);
   return in_space(said(held.step).plane, {square_to_latter(next)});
@@ -28,11 +28,12 @@ SpaceGroup CutterCompensationC::group_before(const Held& held, const CutterBlock
                             .cancels = !wanted(next),
                             .direction = directed ? next.direction : std::nullopt};
   // fanuc.cutter-c.value-at-a-corner: A new number or value counts for the vectors at the end of the moving block that
-  // holds it, or of the next moving block where its block does not move.
+  // has it, or, if that block does not move, at the end of the next moving block.
   if (!corner.cancels) recorder().decide(Clause::fanuc_cutter_c_value_at_a_corner, offset.value != held.offset.value);
   const auto group = rules_.group(corner);
-  // fanuc.cutter-c.no-intersection: An inner corner with an arc, R' >= 0, whose offset paths do not meet raises PS0033.
-  // It names A: neither A nor a corner move of A is given, the blocks before are given as computed with A present.
+  // fanuc.cutter-c.no-intersection: An inner corner with an arc and R' >= 0 whose offset paths do not meet raises
+  // PS0033. The alarm names A. Neither A nor a corner move of A is given, and the blocks before A are given as computed
+  // with A present.
   if (!group) ahead_.raise_held(Clause::fanuc_cutter_c_no_intersection, AlarmCause::no_intersection);
   return in_space(said(held.step).plane, *group);
 }

@@ -23,12 +23,13 @@ bool has_side_word(const CutterBlock& block) { return block.code && *block.code 
 
 }  // namespace
 
-// fanuc.cutter-c.one-non-motion-block: With a smaller count between A and B than fanuc.cutter-c.two-non-motion-blocks
-// has (one, on the 30i more by No. 19625) the group is made as if the blocks between were not there; they run at the
-// first head, before the corner moves.
-// fanuc.cutter-c.no-next-block: A, a start-up block too, ends with P1 as well where there is no B to make a corner
-// with: the end of the program, a block that raises an alarm when it is read or leaves the run undecided, G39, G29 with
-// axis words, G28 G30 G30.1 with axis words (but fanuc.cutter-c.reference-intersection), lone G40 and lone number 0.
+// fanuc.cutter-c.one-non-motion-block: If the count between A and B is smaller than that of
+// fanuc.cutter-c.two-non-motion-blocks (so it is one, or on the 30i more, by No. 19625), the group is made as if the
+// blocks between were not there. The blocks between run at the first head, before the corner moves.
+// fanuc.cutter-c.no-next-block: If there is no B to make a corner with, block A, also a start-up block, ends with P1 as
+// well. There is no B at the end of the program, before a block that raises an alarm when it is read or leaves the run
+// undecided, and before G39, G29 with axis words, G28, G30 or G30.1 with axis words (except in
+// fanuc.cutter-c.reference-intersection), a lone G40 and a lone number 0.
 CutterCompensationC::CutterCompensationC(const Place& place)
     : CutterCompensation(place),
       rules_(place.setup, place.recorder),
@@ -52,9 +53,9 @@ void CutterCompensationC::check(const CutterBlock& words) const {
   if (!words.arc_words) return;
   const bool starts = wanted(words) && !ahead_.in_mode() && ahead_.held().empty();
   const bool cancels = !wanted(words) && ahead_.in_mode();
-  // fanuc.cutter-c.start-or-cancel-in-arc: PS0034: an arc as start-up block, or as cancel block. It is told by the
-  // words: G02 or G03 in force, no other code of group 00 (G45 to G48 are none here), and an axis word of the plane, R,
-  // I, J or K in the block.
+  // fanuc.cutter-c.start-or-cancel-in-arc: An arc as start-up block or as cancel block raises PS0034. The words of the
+  // block tell whether it is an arc: G02 or G03 in force, no code of group 00 in the block (G45 to G48 do not count
+  // here), and an axis word of the plane, R, I, J or K in the block.
   if (starts || cancels)
     raise(recorder(), Clause::fanuc_cutter_c_start_or_cancel_in_arc, AlarmCause::arc_at_start_or_cancel);
 }
@@ -63,10 +64,11 @@ void CutterCompensationC::check_corner_arc(const CutterBlock& words) const {
   const bool has_vector = ahead_.mode == CornerMode::on && (!ahead_.held().empty() || made_by_move_);
   const bool other_number = words.number_given && words.number != words.number_before;
   const bool no_direction = words.direction && is_zero(*words.direction);
-  // fanuc.cutter-c.corner-arc-alarm: PS0035: G39 with G40 or number 0 in force, or after them while a vector waits for
-  // its removal; G39 before a moving block has made a vector (before the start-up block, after a G41 or G42 of SUV = 1,
-  // after G53, G28, G30, G29, G52 or G92 of the plane); G39 with G41, G42, an axis word, or a word that gives the
-  // cutter another number; G39 with letters of the plane that are all 0.
+  // fanuc.cutter-c.corner-arc-alarm: G39 raises PS0035 with G40 or number 0 in force, or after them while a vector
+  // waits for its removal. It raises PS0035 before a moving block has made a vector: before the start-up block, after a
+  // G41 or G42 of SUV = 1, and after G53, G28, G30, G30.1, G29, G52 or G92 of the plane. It raises PS0035 with G41,
+  // G42, an axis word, or a word that gives the cutter another number in its block, and with letters of the plane that
+  // are all 0.
   if (!wanted(words) || !has_vector || has_side_word(words) || words.axis_word || other_number || no_direction)
     raise(recorder(), Clause::fanuc_cutter_c_corner_arc_alarm, AlarmCause::corner_arc);
 }
@@ -79,20 +81,20 @@ void CutterCompensationC::take(const Step& step) {
   Step now = step;
   const CutterBlock& block = said(now);
   const bool in_force = block.side != CutterSide::none;
-  // fanuc.cutter-c.number-zero: Number 0 in force does what G40 does; G41 or G42 stays in force and a later number
-  // other than 0 asks for the mode again. A number other than 0 whose value is 0 does not cancel: the mode starts and
-  // stays on.
+  // fanuc.cutter-c.number-zero: Number 0 in force acts as G40 does. G41 or G42 stays in force, and a later number other
+  // than 0 asks for the mode again. A number other than 0 whose value is 0 does not cancel: the mode starts and stays
+  // on.
   const bool wanted = in_force && !recorder().decide(Clause::fanuc_cutter_c_number_zero, block.number == 0);
-  // fanuc.cutter-c.moving-block: A block moves in the plane where its end differs from its start in an axis of the
-  // plane, or where it is a full circle; its path is that of G00, G01, G02 or G03 seen in the plane.
+  // fanuc.cutter-c.moving-block: A block moves in the plane if its end differs from its start in an axis of the plane,
+  // or if it is a full circle. Its path is that of G00, G01, G02 or G03 seen in the plane.
   const bool moves = recorder().decide(Clause::fanuc_cutter_c_moving_block,
                                        block.motion == PlaneMotion::line || block.motion == PlaneMotion::arc);
   if (ahead_.holds(Held::Kind::lone_start) && (!wanted || is_machine_move(block.motion) || shifts_plane(block))) {
     now.clauses.add(recorder().take_clauses());
     drop_lone_start();
   }
-  // fanuc.cutter-c.look-ahead-stopped: Nothing is read beyond a block with G53, whatever its words, or an M code that
-  // stops reading ahead (fanuc.program.stops-reading-ahead) before it has run.
+  // fanuc.cutter-c.look-ahead-stopped: Nothing is read beyond a block with G53, whatever its words, or with an M code
+  // that stops reading ahead (fanuc.program.stops-reading-ahead), before that block has run.
   const bool stops = now.stops_look_ahead || block.one_shot == OneShot::machine_coordinates;
   const bool may_be_next = moves || block.motion == PlaneMotion::reference;
   if (stops && !may_be_next) ahead_.end_before(now, Clause::fanuc_cutter_c_look_ahead_stopped);
@@ -109,12 +111,12 @@ void CutterCompensationC::take_while_off(Step& now, bool wanted, bool moves) {
   ahead_.mode = wanted ? CornerMode::waiting : CornerMode::off;
   unchecked_ = false;
   const CutterBlock& block = said(now);
-  // fanuc.cutter-c.suv: No. 5003 bit 1, SUV: with 1 (type C) a G41 or G42 that starts the mode, and a G40 or number 0
-  // that ends it, act at once in a block that does not move in the plane; with 0 such a block makes and removes
+  // fanuc.cutter-c.suv: With No. 5003 bit 1, SUV, at 1 (type C), a G41 or G42 that starts the mode, and a G40 or number
+  // 0 that ends it, act at once in a block that does not move in the plane. With SUV = 0 such a block makes and removes
   // nothing.
   if (wanted && moves) {
-    // fanuc.cutter-c.start-up: With G41 or G42 in force, a number other than 0 and the mode off, the next block that
-    // moves in the plane is the start-up block, whether it holds the code or not (but
+    // fanuc.cutter-c.start-up: If G41 or G42 and a number other than 0 are in force and the mode is off, the next block
+    // that moves in the plane is the start-up block, whether it has the code or not (except in
     // fanuc.cutter-c.start-without-motion).
     recorder().reach(Clause::fanuc_cutter_c_start_up);
     const CutterOffset offset = offset_of(recorder(), block.side, block.offset);
@@ -132,11 +134,11 @@ void CutterCompensationC::take_while_off(Step& now, bool wanted, bool moves) {
 void CutterCompensationC::drop_lone_start() {
   const std::uint64_t line = recorder().line();
   recorder().at(ahead_.held().front().step.line);
-  // fanuc.cutter-c.start-without-next-block: Where no B follows the G41 or G42 of SUV = 1 (a count of
-  // fanuc.cutter-c.two-non-motion-blocks, one of the cases of fanuc.cutter-c.no-next-block, G28 included, a block that
-  // stops reading ahead, G52 or G92 of the plane, or a block in which the mode is not asked for any more, the cancel
-  // block too) no vector is made: the mode is off, and the next moving block, if G41 or G42 is still in force, is a
-  // start-up block.
+  // fanuc.cutter-c.start-without-next-block: If no B follows the G41 or G42 of SUV = 1, no vector is made. The mode is
+  // then off, and the next moving block is a start-up block if G41 or G42 is still in force. No B follows if one of
+  // these comes first: a count of fanuc.cutter-c.two-non-motion-blocks; a case of fanuc.cutter-c.no-next-block, G28
+  // included; a block that stops reading ahead; G52 or G92 of the plane; or a block in which the mode is no longer
+  // asked for, also the cancel block.
   recorder().reach(Clause::fanuc_cutter_c_start_without_next_block);
   ahead_.pass();
   recorder().at(line);
@@ -144,9 +146,9 @@ void CutterCompensationC::drop_lone_start() {
 
 void CutterCompensationC::take_while_on(Step& now, bool wanted, bool moves) {
   const CutterBlock& block = said(now);
-  // fanuc.cutter-c.restart-before-removal: G41 or G42 with a number other than 0 in force again after a lone G40 or
-  // number 0, before the vector is removed (a vector that is exactly zero is removed at once), leaves the run undecided
-  // at that block; the blocks before it are given as if it were absent.
+  // fanuc.cutter-c.restart-before-removal: If G41 or G42 with a number other than 0 is in force again after a lone G40
+  // or number 0, before the vector is removed, the run is undecided at that block. The blocks before it are given as if
+  // it were absent. A vector that is exactly zero is removed at once.
   if (wanted && ahead_.mode == CornerMode::leaving)
     ahead_.leave_open_at(now, Clause::fanuc_cutter_c_restart_before_removal,
                          "G41 or G42 again before the vector of the cancelled mode is removed");
@@ -173,9 +175,9 @@ void CutterCompensationC::take_while_on(Step& now, bool wanted, bool moves) {
 
 void CutterCompensationC::take_moving(Step& now) {
   const CutterBlock& block = said(now);
-  // fanuc.cutter-c.arc-ends-in-center: An arc block, G41 or G42 and a number other than 0 in force, whose centre is its
-  // start or its end raises PS0038, both alike: an alarm of a command, behind those that the words alone raise (PS0034
-  // of a start-up in an arc among them) and those of the length offset.
+  // fanuc.cutter-c.arc-ends-in-center: An arc block with G41 or G42 and a number other than 0 in force raises PS0038 if
+  // its centre is its start or its end; both cases are alike. This is an alarm of a command. It comes after the alarms
+  // that the words alone raise (PS0034 of a start-up in an arc among them) and after those of the length offset.
   if (block.arc && !block.arc->sweep)
     raise(recorder(), Clause::fanuc_cutter_c_arc_ends_in_center, AlarmCause::arc_ends_in_center);
   const CutterOffset offset = ahead_.next_offset(now, true);
@@ -203,7 +205,7 @@ void CutterCompensationC::meet_corner(Step& now, const OffsetPath& path, const C
 void CutterCompensationC::take_without_motion(Step& now) {
   const CutterBlock& block = said(now);
   int counts = 0;
-  // fanuc.cutter-c.non-motion-count: Between two moving blocks every block that does not move in the plane counts one:
+  // fanuc.cutter-c.non-motion-count: Between two moving blocks, every block that does not move in the plane counts one:
   // M, S, T, F, G04, G10, other G codes, axes outside the plane, D or H alone, O alone, G41 or G42 alone.
   if (block.is_block && !ahead_.held().empty())
     counts = recorder().decide(Clause::fanuc_cutter_c_non_motion_count, block.motion == PlaneMotion::zero_travel)
@@ -217,8 +219,8 @@ void CutterCompensationC::take_without_motion(Step& now) {
     take_while_off(now, true, false);
     return;
   }
-  // fanuc.cutter-c.two-non-motion-blocks: As soon as the count after A is two or more A ends with P1, and so does a
-  // start-up block. The next moving block starts from that vector: there is no corner.
+  // fanuc.cutter-c.two-non-motion-blocks: As soon as the count after block A is two or more, A ends with P1. This holds
+  // for a start-up block too. The next moving block starts from that vector, so there is no corner.
   ahead_.meet(now,
               {std::vector(ahead_.held().size(), false), counts, Clause::fanuc_cutter_c_two_non_motion_blocks, {}});
   ahead_.keep(now);
@@ -226,16 +228,18 @@ void CutterCompensationC::take_without_motion(Step& now) {
 
 void CutterCompensationC::take_vector_for_a_time(Step& now) {
   // fanuc.cutter-c.coordinate-shift: G52 or G92 with an axis word of the plane while the mode is on takes the vector
-  // away for a time: the block before, A, ends at its programmed point (a start-up block too, a block without motion
-  // between or not), without a move of its own for that; the mode stays on whatever CCN, and the next moving block runs
-  // from there to its ordinary group, an arc too; there is no corner and no change of direction before it.
+  // away for a time. The block before, A, ends at its programmed point, without a move of its own for that. This holds
+  // also if A is a start-up block, and with or without a block without motion between. The mode stays on, whatever CCN
+  // is. The next moving block, also an arc, runs from there to its ordinary group, without a corner and without a
+  // change of direction before it.
   if (!ahead_.held().empty() && !ahead_.held().front().stands()) {
     ahead_.end_without_vector(now, Clause::fanuc_cutter_c_coordinate_shift);
   } else {
     ahead_.end_before(now);
-    // fanuc.cutter-c.coordinate-shift-with-vector: G52 or G92 with an axis word of the plane where the tool stands at a
-    // vector already (behind G39, a count of two, or a lone G40 or number 0 whose vector waits) leaves the run
-    // undecided at that block; the blocks before it are given as if it were absent. A vector of length 0 is none.
+    // fanuc.cutter-c.coordinate-shift-with-vector: If the tool is already at a vector, G52 or G92 with an axis word of
+    // the plane leaves the run undecided at that block. The blocks before it are given as if it were absent. This
+    // happens after G39, after a count of two (on the 30i: of one less than 19625 gives), and after a lone G40 or
+    // number 0 whose vector waits. A vector of length 0 is none.
     if (!is_zero(in_plane_of(said(now).plane, ahead_.here().front().vector)))
       ahead_.leave_open_at(now, Clause::fanuc_cutter_c_coordinate_shift_with_vector,
                            "G52 or G92 where the tool stands at a vector of cutter compensation C");
@@ -249,7 +253,8 @@ void CutterCompensationC::take_cancel(Step& now) {
   const CutterOffset& offset = ahead_.last_offset();
   meet_corner(now, line_path(block.end - block.start, offset.left(), offset.left()), offset);
   // fanuc.cutter-c.cancel: The first moving block with G40 or number 0 in force while the mode is on is the cancel
-  // block: the tool goes straight from the last head of the group at its start to its programmed end; cause cancel.
+  // block. The tool goes straight from the last head of the group at its start to its programmed end; the cause is
+  // cancel.
   recorder().reach(Clause::fanuc_cutter_c_cancel);
   ahead_.take_away(now);
 }
@@ -257,8 +262,8 @@ void CutterCompensationC::take_cancel(Step& now) {
 // G40 or number 0 in a block that does not move in the plane.
 void CutterCompensationC::cancel_alone(Step& now) {
   ahead_.end_before(now);
-  // fanuc.cutter-c.cancel-without-motion: G40 or number 0 in a block that does not move in the plane while the mode is
-  // on is a lone one; its I J K mean nothing. A ends with P1.
+  // fanuc.cutter-c.cancel-without-motion: A G40 or number 0 in a block that does not move in the plane while the mode
+  // is on is called lone; its I, J and K mean nothing. Block A ends with P1.
   recorder().reach(Clause::fanuc_cutter_c_cancel_without_motion);
   const bool removes = recorder().decide(Clause::fanuc_cutter_c_suv, at_once_);
   const bool has_vector = !is_zero(in_plane_of(said(now).plane, ahead_.here().front().vector));
@@ -268,9 +273,9 @@ void CutterCompensationC::cancel_alone(Step& now) {
 
 // Nothing is held: the lone G40 before it has seen to that.
 void CutterCompensationC::cancel_by_zero_travel(Step& now) {
-  // fanuc.cutter-c.cancel-by-zero-travel: Behind a lone G40 or number 0 of SUV = 0 a block with an axis word of the
-  // plane whose way is 0 is a move command: it is the cancel block, the vector goes, and the tool ends on the
-  // programmed point; cause cancel.
+  // fanuc.cutter-c.cancel-by-zero-travel: After a lone G40 or number 0 with SUV = 0, a block with an axis word of the
+  // plane but no travel there is a move command, and it is the cancel block. The vector is removed, and the tool ends
+  // at the programmed point; the cause is cancel.
   recorder().reach(Clause::fanuc_cutter_c_cancel_by_zero_travel);
   ahead_.take_away(now);
 }
@@ -280,9 +285,9 @@ void CutterCompensationC::see_move_alone(Step& step, bool changes) const {
   const CutterBlock& block = said(step);
   // The words of an ignored G53 are none.
   const bool ignored = block.one_shot == OneShot::machine_coordinates && block.motion == PlaneMotion::none;
-  // fanuc.cutter-c.start-without-motion-move: The vector made or removed in a block without motion in the plane is a
-  // move of its own, of the kind of group 01 (linear under G02 and G03), where the block has no axis word; else the
-  // block's own move takes it along.
+  // fanuc.cutter-c.start-without-motion-move: If a block without motion in the plane makes or removes the vector and
+  // has no axis word, it does so by a move of its own, of the kind of group 01 (linear under G02 and G03). If the block
+  // has an axis word, its own move takes the vector along.
   recorder().decide(Clause::fanuc_cutter_c_start_without_motion_move, block.axis_word && !ignored);
   if (changes && is_shift(block.one_shot)) step.moves.clear();
 }
@@ -293,10 +298,10 @@ void CutterCompensationC::end_standing(Clause why) {
     return;
   }
   const bool too_far = why == Clause::fanuc_cutter_c_two_non_motion_blocks;
-  // fanuc.cutter-c.corner-arc-without-next-block: G39 without letters that meets one of the cases of
-  // fanuc.cutter-c.no-next-block before a moving block makes no arc and keeps the vector; a count of
-  // fanuc.cutter-c.two-non-motion-blocks behind it leaves the run undecided at the G39 block, the blocks before it
-  // given as if it were absent.
+  // fanuc.cutter-c.corner-arc-without-next-block: If a case of fanuc.cutter-c.no-next-block comes before the next
+  // moving block, a G39 without letters makes no arc and keeps the vector. If a count of
+  // fanuc.cutter-c.two-non-motion-blocks comes after the G39, the run is undecided at the G39 block, and the blocks
+  // before it are given as if it were absent.
   if (recorder().decide(Clause::fanuc_cutter_c_corner_arc_without_next_block, too_far)) {
     LeftOpen open(Clause::fanuc_cutter_c_corner_arc_without_next_block,
                   "two blocks without motion behind a G39 without direction");

@@ -12,14 +12,14 @@ void CutterCompensationC::take_machine_move(Step& now, bool wanted) {
       return;
     }
     ahead_.end_before(now);
-    // fanuc.cutter-c.outside-axes-only: Such a block that names axes outside the plane only keeps the vector: the block
-    // before ends with P1, and the next moving block starts from it.
+    // fanuc.cutter-c.outside-axes-only: A block with G53, G28, G30, G30.1 or G29 that names only axes outside the plane
+    // keeps the vector. The block before ends with P1, and the next moving block starts from that vector.
     recorder().reach(Clause::fanuc_cutter_c_outside_axes_only);
     ahead_.keep(now);
     return;
   }
-  // fanuc.cutter-c.ccn: No. 5003 bit 2, CCN, after G53, G28, G30, G30.1, G29 of the plane. 0: the mode is off, the next
-  // moving block is a start-up block.
+  // fanuc.cutter-c.ccn: No. 5003 bit 2, CCN, says whether the mode stays on after G53, G28, G30, G30.1 or G29 of the
+  // plane. With CCN = 0 the mode is off, and the next moving block is a start-up block.
   const bool goes_on = wanted && recorder().decide(Clause::fanuc_cutter_c_ccn, keeps_the_mode_);
   const bool reference = block.motion == PlaneMotion::reference;
   if (reference && goes_on) {
@@ -27,10 +27,10 @@ void CutterCompensationC::take_machine_move(Step& now, bool wanted) {
     return;
   }
   ahead_.end_before(now);
-  // fanuc.cutter-c.reference-return: G28, G30, G30.1 of the plane with CCN = 0, or with G40 or number 0 in force or
-  // after a lone G40: the block before ends with P1, and the vector is removed on the way to the intermediate point.
-  // fanuc.cutter-c.machine-position: G53 with an axis word of the plane under G90 while the mode is on: the vector
-  // vanishes in the G53 move (cause programmed). G29 likewise: at its intermediate point.
+  // fanuc.cutter-c.reference-return: If CCN = 0, if G40 or number 0 is in force, or after a lone G40, the block before
+  // a G28, G30 or G30.1 of the plane ends with P1, and the vector is removed on the way to the intermediate point.
+  // fanuc.cutter-c.machine-position: With G53 and an axis word of the plane under G90 while the mode is on, the vector
+  // vanishes in the G53 move (cause programmed). With G29 it vanishes likewise, at the intermediate point.
   recorder().reach(reference ? Clause::fanuc_cutter_c_reference_return : Clause::fanuc_cutter_c_machine_position);
   decide_axes(block);
   if (goes_on) {
@@ -46,9 +46,9 @@ void CutterCompensationC::take_machine_move(Step& now, bool wanted) {
 void CutterCompensationC::take_reference_with_intersection(Step& now) {
   const CutterBlock& block = said(now);
   const PlanePoint travel = block.ends.front() - block.start;
-  // fanuc.cutter-c.reference-intersection: G28, G30, G30.1 of the plane with CCN = 1: the way to the intermediate point
-  // is a line B of the offset mode, of which the group at its end is its own P1; behind a start-up block the group
-  // before it is that of the start-up (SUP).
+  // fanuc.cutter-c.reference-intersection: With G28, G30 or G30.1 of the plane and CCN = 1, the way to the intermediate
+  // point is a line B of the offset mode, and the group at its end is its own P1. After a start-up block, the group
+  // before this B is that of the start-up (SUP).
   if (!recorder().decide(Clause::fanuc_cutter_c_reference_intersection, !is_zero(travel))) {
     ahead_.end_before(now);
     now.moves.front().offset = ahead_.here().front().vector;
@@ -68,8 +68,8 @@ void CutterCompensationC::take_reference_with_intersection(Step& now) {
   ahead_.emit(now);
 }
 
-// fanuc.cutter-c.one-plane-axis: Where such a block names one axis of the plane, both components of the vector are
-// cleared all the same, with CCN = 0 and with CCN = 1.
+// fanuc.cutter-c.one-plane-axis: If a block with G53, G28, G30, G30.1 or G29 names only one axis of the plane, both
+// components of the vector are cleared all the same, with CCN = 0 and with CCN = 1.
 void CutterCompensationC::decide_axes(const CutterBlock& block) const {
   recorder().decide(Clause::fanuc_cutter_c_one_plane_axis, block.word[0] != block.word[1]);
 }

@@ -35,8 +35,8 @@ std::shared_ptr<StageWords> LeadingEdgeOffset::read(const StageCommand& now) {
     // fanuc.leading-edge.repeated: G41.3 while the mode is on raises PS5407.
     if (active_) raise(recorder(), Clause::fanuc_leading_edge_repeated, AlarmCause::leading_edge_command);
     // fanuc.leading-edge.start-with-d0: G41.3 with D0 in force starts nothing: the state stays cancelled, and the next
-    // block is free. A number whose value is 0 starts the mode with vectors of length 0. The format of the block is
-    // checked in both cases.
+    // block may be any block. A number whose value is 0 starts the mode with vectors of length 0. The format of the
+    // block is checked in both cases.
     if (!recorder().decide(Clause::fanuc_leading_edge_start_with_d0, number_ == 0)) block->code = Code::start;
   } else if (active_) {
     // fanuc.leading-edge.d0-cancels: A D0 word while the mode is on cancels it as G40 does.
@@ -47,8 +47,8 @@ std::shared_ptr<StageWords> LeadingEdgeOffset::read(const StageCommand& now) {
       if (now.moves()) raise(recorder(), Clause::fanuc_leading_edge_cancel_format, AlarmCause::leading_edge_format);
       block->code = Code::cancel;
     }
-    // fanuc.leading-edge.arc: G02 or G03 while the mode is on, in the block that cancels it too, raises PS5407: only
-    // G00 and G01 are allowed.
+    // fanuc.leading-edge.arc: G02 or G03 while the mode is on raises PS5407, also in the block that cancels the mode:
+    // only G00 and G01 are allowed.
     if (command.is_arc_motion()) raise(recorder(), Clause::fanuc_leading_edge_arc, AlarmCause::leading_edge_command);
   }
   if (!active_ && block->code == Code::none) return nullptr;
@@ -56,7 +56,7 @@ std::shared_ptr<StageWords> LeadingEdgeOffset::read(const StageCommand& now) {
     forbid(now);
     block->radius = memory_.d(number_);
     // fanuc.leading-edge.number-changed: Another D while the mode is on counts for the vector at the end of the block
-    // that holds it; a vector that is kept keeps its length.
+    // that has it. A vector that is kept keeps its length.
     recorder().decide(Clause::fanuc_leading_edge_number_changed, active_ && codes.d.has_value());
   }
   return block;
@@ -64,7 +64,7 @@ std::shared_ptr<StageWords> LeadingEdgeOffset::read(const StageCommand& now) {
 
 void LeadingEdgeOffset::complete(StageWords& words, const Step& step) const {
   EdgeBlock& block = own(words);
-  // fanuc.leading-edge.no-movement: A block counts as one without movement where the travel in X Y Z is exactly zero:
+  // fanuc.leading-edge.no-movement: A block counts as one without movement if its travel in X Y Z is exactly zero:
   // rotary axes alone, a tool direction alone, M S T F H alone, a travel of zero. A block with N or O alone is no
   // block.
   if (block.code == EdgeBlock::Code::none)
@@ -77,9 +77,10 @@ void LeadingEdgeOffset::forbid(const StageCommand& now) const {
   const bool other = codes.compensation && (is_cutter_side(*codes.compensation) || is_tool_side(*codes.compensation));
   const bool code =
       codes.one_shot != OneShot::none || codes.workpiece || codes.units || codes.refused_in_space || other;
-  // fanuc.leading-edge.forbidden: In a block after which the mode is on these raise FORBIDDEN_IN_3D_COMPENSATION (the
-  // alarm number is not known): G04 G10 G28 G29 G30 G30.1 G37 G39 G41 G42 G41.2 G42.2 G41.6 G42.6 G45 to G48 G52 G53
-  // G92 G54 to G59 G54.1 G20 G21 G96 G97 G160 G05 but for P10000, and an M, S or T word together with an axis word.
+  // fanuc.leading-edge.forbidden: Codes that do not go together with the leading edge offset raise
+  // FORBIDDEN_IN_3D_COMPENSATION (the alarm number is not known) in a block after which the mode is on. These are G04
+  // G10 G28 G29 G30 G30.1 G37 G39 G41 G42 G41.2 G42.2 G41.6 G42.6 G45 to G48 G52 G53 G92 G54 to G59 G54.1 G20 G21 G96
+  // G97 G160, G05 except with P10000, and an M, S or T word together with an axis word.
   if (code || (codes.auxiliary && now.moves()))
     raise(recorder(), Clause::fanuc_leading_edge_forbidden, AlarmCause::forbidden_in_compensation);
 }
@@ -117,8 +118,9 @@ void LeadingEdgeOffset::take_moving(const Step& step) {
         throw;
       }
     } else {
-      // fanuc.leading-edge.one-block-without-movement: With one block without movement between, the vector is made of
-      // the tool direction before it and the movement after it, and is kept through it, whatever the tool does there.
+      // fanuc.leading-edge.one-block-without-movement: If one block without movement comes between two moving blocks,
+      // the vector is made of the tool direction before that block and the movement after it. The vector is kept
+      // through that block, whatever the tool does there.
       recorder().decide(Clause::fanuc_leading_edge_one_block_without_movement, !behind_.empty());
       vector_ = rules_.next(vector_, movement, held_->rest.tool, said(*held_).radius);
     }
@@ -129,7 +131,7 @@ void LeadingEdgeOffset::take_moving(const Step& step) {
 
 // A block without linear movement.
 void LeadingEdgeOffset::take_other(const Step& step) {
-  // fanuc.leading-edge.no-movement-after-start: PS5407 at the G41.3 block where the block right after it has no linear
+  // fanuc.leading-edge.no-movement-after-start: The G41.3 block raises PS5407 if the block right after it has no linear
   // movement: no travel in X Y Z, G40, the end of the program, or a block that raises an alarm of its own.
   if (step.has_word && starting_)
     start_alarm(Clause::fanuc_leading_edge_no_movement_after_start, AlarmCause::leading_edge_command);
@@ -144,9 +146,10 @@ void LeadingEdgeOffset::take_other(const Step& step) {
   if (!step.stops_look_ahead && counted < 2) return;
   decide_held();
   // fanuc.leading-edge.kept-without-look-ahead: Before a block that stops the look-ahead (an M code of
-  // fanuc.program.stops-reading-ahead), the cancel block included, the vector made before is kept.
-  // fanuc.leading-edge.two-blocks-without-movement: With two or more blocks without movement in a row the vector made
-  // before is kept: the moving block before them ends with the vector it started with. What exactly is kept is our
+  // fanuc.program.stops-reading-ahead), the vector made before is kept. This holds also if that block is the cancel
+  // block.
+  // fanuc.leading-edge.two-blocks-without-movement: If two or more blocks without movement come in a row, the vector
+  // made before is kept: the moving block before them ends with the vector it started with. What exactly is kept is our
   // reading.
   recorder().reach(step.stops_look_ahead ? Clause::fanuc_leading_edge_kept_without_look_ahead
                                          : Clause::fanuc_leading_edge_two_blocks_without_movement);
@@ -163,7 +166,7 @@ void LeadingEdgeOffset::take_cancel(const Step& step) {
     } else {
       // fanuc.leading-edge.before-cancel: The block before G40 makes its vector from its own movement and the tool
       // direction at its end. That the ranges near 0, 90 and 180 degrees hold here too, and that one block without
-      // movement may stand between, is our definition.
+      // movement may come between, is our definition.
       recorder().reach(Clause::fanuc_leading_edge_before_cancel);
       vector_ = rules_.next(vector_, held_->moves.front().leg.travel, held_->rest.tool, said(*held_).radius);
     }
@@ -172,7 +175,7 @@ void LeadingEdgeOffset::take_cancel(const Step& step) {
   active_ = false;
   vector_ = {};
   // fanuc.leading-edge.cancel: At G40 the tool returns by the vector to the programmed point, in rapid traverse under
-  // G00, else straight with the feed. G40 while nothing is on does nothing.
+  // G00, otherwise straight with the feed. G40 while nothing is on does nothing.
   recorder().reach(Clause::fanuc_leading_edge_cancel);
   Step cancel = step;
   cancel.clauses.add(recorder().take_clauses());

@@ -9,8 +9,8 @@
 namespace toolcomp::model {
 
 // fanuc.leading-edge.vector: The compensation vector at the end of block n lies in the plane of the tool direction VT
-// there and of the movement VM of the next block, at right angles to the tool, and has the length of the offset value
-// R. V points against the movement.
+// there and the movement VM of the next block. It is at right angles to the tool and as long as the offset value R. V,
+// as in the formula, points against the movement.
 // fanuc.leading-edge.negative-radius: A negative offset value reverses the vector; the side that is carried to an angle
 // of 90 degrees does not change.
 EdgeVector EdgeRules::vector(Sense sense, const Vector& movement, const Direction& tool, const Rational& radius) const {
@@ -29,9 +29,9 @@ Sign EdgeRules::lean(const Real& product, const Real& lengths2) const {
   return recorder_.decide(Clause::fanuc_leading_edge_sign, product, sqrt(lengths2));
 }
 
-// fanuc.leading-edge.fluctuation: 19631 is the fluctuation D by which an angle near 0, 90 or 180 degrees counts as that
-// angle; the ranges include their ends. It is in degrees, usually about 1, which is taken where the setup gives none;
-// beyond 90 the setup is refused.
+// fanuc.leading-edge.fluctuation: Parameter 19631 is the fluctuation D: within D, an angle near 0, 90 or 180 degrees
+// counts as that angle. The ranges include their ends. D is in degrees and usually about 1; 1 is used if the setup
+// gives none. A setup with a value above 90 or below -90 is refused.
 EdgeRules::EdgeRules(const spec::Setup& setup, Recorder& recorder) : recorder_(recorder) {
   const std::optional<spec::Decimal> given = setup.parameter(19631);
   const Rational degrees = given ? plain(*given) : Rational(1);
@@ -58,12 +58,12 @@ EdgeCase EdgeRules::classify(const Vector& movement, const Direction& tool) cons
 
   const Real product2 = square(product);
   const bool ahead = side == Sign::positive;
-  // fanuc.leading-edge.order-of-ranges: From D = 45 on the ranges overlap: they are tested in the order 0, 180, 90.
+  // fanuc.leading-edge.order-of-ranges: From D = 45 on, the ranges overlap; they are tested in the order 0, 180, 90.
   recorder_.decide(Clause::fanuc_leading_edge_order_of_ranges, overlapping_);
   const Clause near_parallel = ahead ? Clause::fanuc_leading_edge_near_0 : Clause::fanuc_leading_edge_near_180;
   if (recorder_.decide(near_parallel, product2 - cosine2_ * lengths2, lengths2) != Sign::negative)
     return {ahead ? EdgeAngle::along : EdgeAngle::against, side};
-  // fanuc.leading-edge.exact-only: With 19631 at 0 or below only exact angles of 0, 90 and 180 degrees count as such.
+  // fanuc.leading-edge.exact-only: If 19631 is 0 or below, only exact angles of 0, 90 and 180 degrees count as such.
   // The range of the parameter admits negative values; the manual gives them no meaning.
   // fanuc.leading-edge.near-90: An angle from 90 - D to 90 + D counts as 90 degrees.
   if (!recorder_.decide(Clause::fanuc_leading_edge_exact_only, exact_only_) &&
@@ -72,9 +72,9 @@ EdgeCase EdgeRules::classify(const Vector& movement, const Direction& tool) cons
   return {ahead ? EdgeAngle::forward : EdgeAngle::back, side};
 }
 
-// fanuc.leading-edge.kept-along-the-tool: At an angle that counts as 0 or 180 degrees the vector of the block before is
-// kept, over any number of such blocks.
-// fanuc.leading-edge.across-keeps-sense: At an angle that counts as 90 degrees the vector is made of its own pair (VM,
+// fanuc.leading-edge.kept-along-the-tool: At an angle that counts as 0 or 180 degrees, the vector of the block before
+// is kept, over any number of such blocks.
+// fanuc.leading-edge.across-keeps-sense: At an angle that counts as 90 degrees, the vector is made of its own pair (VM,
 // VT), on the side of the vector before it.
 EdgeVector EdgeRules::next(const EdgeVector& before, const Vector& movement, const Direction& tool,
                            const Rational& radius) const {
@@ -94,20 +94,21 @@ EdgeVector EdgeRules::next(const EdgeVector& before, const Vector& movement, con
   return before;
 }
 
-// fanuc.leading-edge.start: At G41.3 the tool moves from the programmed point by the vector made of the tool direction
-// there and the movement of the next block; nothing else moves.
+// fanuc.leading-edge.start: At G41.3 the tool moves from the programmed point by the vector that is made of the tool
+// direction there and the movement of the next block. Nothing else moves.
 EdgeVector EdgeRules::first(const Vector& movement, const Direction& tool, const Rational& radius) const {
   recorder_.reach(Clause::fanuc_leading_edge_start);
   const EdgeCase found = classify(movement, tool);
   switch (found.angle) {
     case EdgeAngle::along:
     case EdgeAngle::against:
-      // fanuc.leading-edge.start-along-the-tool: At the start an angle that counts as 0 or 180 degrees raises PS5408 at
-      // the G41.3 block. That the ranges of 19631 hold here is our definition.
+      // fanuc.leading-edge.start-along-the-tool: At the start, an angle that counts as 0 or 180 degrees raises PS5408
+      // at the G41.3 block. That the ranges of 19631 hold here is our definition.
       raise(recorder_, Clause::fanuc_leading_edge_start_along_the_tool, AlarmCause::leading_edge_start);
     case EdgeAngle::across: {
-      // fanuc.leading-edge.start-across: At the start an angle that counts as 90 degrees has no vector before it: the
-      // sign of the angle itself decides, an exact right angle as if the tool leaned forward.
+      // fanuc.leading-edge.start-across: At the start there is no vector before, so at an angle that counts as 90
+      // degrees the sign of the angle itself decides (fanuc.leading-edge.sign). An exact right angle counts as if the
+      // tool leaned forward.
       const bool backward = recorder_.decide(Clause::fanuc_leading_edge_start_across, found.lean != Sign::negative);
       return vector(backward ? Sense::backward : Sense::forward, movement, tool, radius);
     }

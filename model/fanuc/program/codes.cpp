@@ -188,8 +188,8 @@ class Reader {
   }
 
  private:
-  // fanuc.program.last-code-of-group: Of several G codes of one modal group in a block the last counts. G04 G10 G28
-  // G29 G30 G30.1 G37 G39 G45 to G48 G52 G53 and G92 exclude each other in the same way.
+  // fanuc.program.last-code-of-group: If a block has several G codes of one modal group, the last one counts. G04 G10
+  // G28 G29 G30 G30.1 G37 G39 G45 to G48 G52 G53 and G92 exclude each other in the same way.
   void repeat() {
     recorder_.reach(Clause::fanuc_program_last_code_of_group);
     codes_.repeats = true;
@@ -201,8 +201,8 @@ class Reader {
     return true;
   }
   // fanuc.program.without-effect: G05 G05.1 G08 G09 G11 G13.1 G15 G22 G23 G25 G40.1 G50 G50.1 G50.2 G61 G61.1 G62 G63
-  // G64 G67 G69 G96 G97 G113 G150 and G160 change nothing here: they cancel what is not supported, or say how
-  // fast and how exactly a path is run, not where it lies.
+  // G64 G67 G69 G96 G97 G113 G150 and G160 change nothing here. They cancel what is not supported, or they say how fast
+  // and how exactly the tool runs a path, not where the path is.
   bool without_effect() {
     recorder_.reach(Clause::fanuc_program_without_effect);
     return true;
@@ -252,8 +252,8 @@ void read_m(const spec::Decimal& value, const spec::Setup& setup, Codes& codes, 
       break;
   }
   // fanuc.program.stops-reading-ahead: M00, M01, M02 and M30 stop the control from reading ahead, and so does each M
-  // code that one of No. 3411 to 3420 names, or that lies between the two of a pair of 3421 and 3422, 3423 and 3424, up
-  // to 3431 and 3432, the first and the last one.
+  // code that a parameter names. Each of No. 3411 to 3420 names one M code. The pairs 3421 and 3422, 3423 and 3424, up
+  // to 3431 and 3432 name all M codes from the first to the last one, these two included.
   if (!codes.stops_look_ahead && is_stop_by_parameter(plain(value), setup)) {
     recorder.reach(Clause::fanuc_program_stops_reading_ahead);
     codes.stops_look_ahead = true;
@@ -269,7 +269,7 @@ bool names_origin(const Words& words) {
 // The system that G54.1 selects, behind the six of G54 to G59.
 std::size_t additional_system(const Words& words, Recorder& recorder) {
   const spec::Decimal* const p = words.find('P');
-  // fanuc.program.additional-system: G54.1 selects an additional workpiece system, by P1 to P48; without P it is P1.
+  // fanuc.program.additional-system: G54.1 selects an additional workpiece system by P1 to P48, and without P it is P1.
   recorder.reach(Clause::fanuc_program_additional_system);
   if (p == nullptr) return kAdditional;
   const Rational number = plain(*p);
@@ -281,8 +281,8 @@ std::size_t additional_system(const Words& words, Recorder& recorder) {
 // An H or D number; the reader admits neither sign nor point.
 std::optional<std::uint32_t> offset_number(const spec::Decimal* word, const spec::Setup& setup, Recorder& recorder) {
   if (word == nullptr) return std::nullopt;
-  // fanuc.program.offset-number-range: An H or D number beyond the number of offsets raises PS0030, whatever the block
-  // does with it.
+  // fanuc.program.offset-number-range: An H or D number greater than the number of offsets raises PS0030, whatever the
+  // block does with it.
   if (word->digits > setup.offset_count)
     raise(recorder, Clause::fanuc_program_offset_number_range, AlarmCause::offset_number);
   return static_cast<std::uint32_t>(word->digits);
@@ -294,8 +294,8 @@ Words::Words(const spec::Block& block, Recorder& recorder) {
   for (const spec::Word& word : block.words()) {
     if (word.address == 'G' || word.address == 'M' || word.address == 'N' || word.address == 'O') continue;
     const spec::Decimal*& slot = word_[static_cast<std::size_t>(word.address - 'A')];
-    // fanuc.program.last-word-of-address: Of several words with one address in a block the last counts; G and M words
-    // all count.
+    // fanuc.program.last-word-of-address: If a block has several words with one address, the last one counts. G and M
+    // words all count.
     if (slot != nullptr) {
       recorder.reach(Clause::fanuc_program_last_word_of_address);
       repeats_ = true;
@@ -319,28 +319,29 @@ Codes read_codes(const spec::Block& block, const Words& words, const spec::Setup
       codes.auxiliary = true;
     }
   }
-  // fanuc.program.address-repeated: With AD2 (3403#6) = 1 a block in which an address other than G, M, N and O stands
-  // twice, or two G codes of one group, raises PS5074.
+  // fanuc.program.address-repeated: With AD2 (3403#6) = 1 a block raises PS5074 if an address other than G, M, N and O
+  // occurs twice in it, or two G codes of one group do.
   if ((words.repeats() || codes.repeats) && setup.bit(3403, 6))
     raise(recorder, Clause::fanuc_program_address_repeated, AlarmCause::address_repeated);
   const bool side = codes.compensation && is_cutter_side(*codes.compensation);
   // fanuc.cutter-c.three-dimensional: G41 or G42 in a block with all of I, J and K is three-dimensional tool
-  // compensation. That section is not built: PS0010, as of a code that is not supported.
+  // compensation. That section is not supported here, so the block raises PS0010, as a code that is not supported does.
   if (side && !codes.letters_are_data && words.has('I') && words.has('J') && words.has('K') &&
       setup.cutter_compensation == spec::CutterCompensationType::c)
     raise(recorder, Clause::fanuc_cutter_c_three_dimensional, AlarmCause::unknown_code,
           "three-dimensional compensation is not built");
   codes.writes_origin = codes.one_shot == OneShot::data && names_origin(words);
-  // fanuc.memory.g10-kind: G10 writes by L: memory A L11; B L10 geometry, L11 wear; C L10 and L11 for H, L12 and L13
-  // for D; L1 is L11. L2 and L20 write workpiece origins (fanuc.program.origin). Any other L, and none, raises PS0010:
-  // that use of G10 is not supported.
+  // fanuc.memory.g10-kind: L of G10 says what G10 writes. In memory A it is L11; in memory B L10 for geometry, L11 for
+  // wear; in memory C L10 and L11 for H, L12 and L13 for D. L1 is L11. L2 and L20 write workpiece origins
+  // (fanuc.program.origin). No L, or an L that no control has, raises PS0010; an L that controls have and this project
+  // does not support ends the run (fanuc.program.not-supported).
   if (codes.one_shot == OneShot::data && !codes.writes_origin && !offset_kind(words, setup.memory))
     raise(recorder, Clause::fanuc_memory_g10_kind, AlarmCause::g10_kind);
   codes.h = offset_number(words.find('H'), setup, recorder);
   codes.d = offset_number(words.find('D'), setup, recorder);
-  // fanuc.program.additional-system: G54.1 selects an additional workpiece system, by P1 to P48; without P it is P1.
-  // G54 with a P is G54.1 with that P, where P belongs to no other code of the block (G04 G05 G10 G30 G43.4 G43.5 G73
-  // G74 G76 G81 to G89 M98 M99). Another P raises PS0030.
+  // fanuc.program.additional-system: G54.1 selects an additional workpiece system by P1 to P48, and without P it is P1.
+  // G54 with a P is G54.1 with that P, unless P belongs to another code of the block (G04 G05 G05.1 G10 G22 G30 G43.4
+  // G43.5 G50.1 G73 G74 G76 G81 to G89 M98 M99). A P other than 1 to 48 raises PS0030.
   const bool taken = codes.letters_are_data || codes.calls || codes.returns ||
                      codes.one_shot == OneShot::other_reference || (codes.cycle && *codes.cycle != Cycle::cancel) ||
                      codes.length == LengthCode::tip_control || codes.length == LengthCode::tool_direction;

@@ -17,25 +17,25 @@ spec::MoveType straight(Motion motion) {
 }
 
 [[noreturn]] void raise_reading(Recorder& recorder, const spec::ReadAlarm& alarm) {
-  // fanuc.program.call: A block with M98 runs, then the program that it calls: that of the number P, as often as L
-  // says; without L the digits of P before the last four say how often. M98 with a name in < > calls by name. The
-  // program is looked for in the text, where its head O and number, or its name in < >, begins a line, and then among
-  // the files beside it. No such program, and none named, raises PS0076, more than 10 calls one inside the other
-  // PS0077.
+  // fanuc.program.call: A block with M98 runs, then the program that it calls runs. That is the program of the number
+  // P, and it runs as often as L says. Without L the digits of P before the last four say how often. M98 with a name in
+  // < > calls by name. The program is looked for in the text, where its head (O and its number, or its name in < >)
+  // begins a line, and then among the files beside the text. PS0076 is raised if there is no such program or none is
+  // named. PS0077 is raised if more than 10 calls are one inside the other.
   if (alarm.cause == AlarmCause::program_missing || alarm.cause == AlarmCause::calls_too_deep)
     recorder.reach(Clause::fanuc_program_call);
-  // fanuc.program.return: A block with M99 runs, then ends its program, and so does the end of its text: the program
-  // that has called it goes on behind the call; with P, from the first block behind the call that has the sequence
-  // number P, once, and PS0078 where there is none.
+  // fanuc.program.return: A block with M99 runs, then ends its program. The end of its text ends a program too. The
+  // program that has called it goes on after the call. With P it goes on from the first block after the call that has
+  // the sequence number P, and the program that has ended is not repeated. If there is no such block, PS0078 is raised.
   else if (alarm.cause == AlarmCause::sequence_number_missing)
     recorder.reach(Clause::fanuc_program_return);
   // fanuc.program.not-supported: A run ends without an alarm at a word that a control may well run and this project
-  // does not follow: the event not_supported names it.
+  // does not support. The event not_supported names the word.
   else if (alarm.cause == AlarmCause::not_supported)
     recorder.reach(Clause::fanuc_program_not_supported);
-  // fanuc.program.unreadable-block: A block that cannot be read raises the alarm of reading when it is reached: PS0003
-  // too many digits, PS0004 no address, PS0005 no digit, PS0006 a sign, PS0007 a point, PS0009 an unknown letter. It
-  // ends the run.
+  // fanuc.program.unreadable-block: A block that cannot be read raises its read alarm when the run reaches the block.
+  // PS0003 means too many digits, PS0004 no address, PS0005 no digit, PS0006 a sign that is not allowed, PS0007 a point
+  // that is not allowed, PS0009 an unknown letter. The alarm ends the run.
   else
     recorder.reach(Clause::fanuc_program_unreadable_block);
   throw Alarm(alarm.cause, alarm.message);
@@ -52,7 +52,7 @@ Interpreter::Interpreter(const spec::Setup& setup, Recorder& recorder)
       allowed_difference_(setup.parameter(3410) ? plain(*setup.parameter(3410)) : Rational(0)) {
   const auto start = by_axis(setup.position, axes_);
   for (std::size_t i = 0; i < axes_.size(); ++i) position_.at(i) = start.at(i);
-  // fanuc.program.feed: F is modal; 1411 is the F at power-on, where it is not 0.
+  // fanuc.program.feed: F is modal, and 1411 is the F at power-on unless it is 0.
   if (const auto at_start = setup.parameter(1411); at_start && !at_start->is_zero()) feed_ = plain(*at_start);
 }
 
@@ -76,17 +76,17 @@ Command Interpreter::read(const spec::Block& block) {
   command.motion = motion_;
   command.plane = plane_;
   command.incremental = incremental_;
-  // fanuc.program.call: A block with M98 runs, then the program that it calls: that of the number P, as often as L
-  // says; without L the digits of P before the last four say how often.
+  // fanuc.program.call: A block with M98 runs, then the program that it calls runs. That is the program of the number
+  // P, and it runs as often as L says. Without L the digits of P before the last four say how often.
   if (codes.calls) recorder_.reach(Clause::fanuc_program_call);
-  // fanuc.program.return: A block with M99 runs, then ends its program, and so does the end of its text: the program
-  // that has called it goes on behind the call; with P, from the first block behind the call that has the sequence
-  // number P, once, and PS0078 where there is none.
+  // fanuc.program.return: A block with M99 runs, then ends its program. The end of its text ends a program too. The
+  // program that has called it goes on after the call. With P it goes on from the first block after the call that has
+  // the sequence number P, and the program that has ended is not repeated. If there is no such block, PS0078 is raised.
   if (codes.returns) recorder_.reach(Clause::fanuc_program_return);
   read_feed(command);
-  // fanuc.program.letters-as-data: In a block with G04 G05 G05.1 G10 G22 or G50.1, even where another code of the block
-  // counts in its place, axis letters and I J K are data (a dwell time, limits, origins), not positions: they move
-  // nothing, turn nothing and name no axis.
+  // fanuc.program.letters-as-data: In a block with G04 G05 G05.1 G10 G22 or G50.1, axis letters and I J K are data (a
+  // dwell time, limits, origins), not positions. They move nothing, turn nothing and name no axis. This holds even if
+  // another code of the block counts in place of that code.
   if (!recorder_.decide(Clause::fanuc_program_letters_as_data, codes.letters_are_data)) {
     command.axes = axis_words(words);
     command.direction = words.has('I') || words.has('J') || words.has('K');
@@ -101,8 +101,8 @@ void Interpreter::read_feed(const Command& command) {
   }
   const spec::Decimal* const f = command.words.find('F');
   if (f == nullptr) return;
-  // fanuc.program.feed-mode: Under G93 and G95 F is no feed per minute: moves carry no feed, and behind the next G94,
-  // which is in force at the start, none until F is given.
+  // fanuc.program.feed-mode: Under G93 and G95 F is not a feed per minute, and moves carry no feed. After the next G94
+  // moves carry no feed until F is given. G94 is in force at the start.
   if (feed_per_minute_)
     feed_ = numbers_.feed(*f);
   else
@@ -114,9 +114,9 @@ void Interpreter::require_feed(const Command& command) const {
   const bool arc = command.is_arc_motion() && (command.direction || command.words.has('R'));
   const bool cuts = by_motion && motion_ != Motion::rapid && (command.axes != 0 || arc);
   if (!feed_per_minute_ || !(command.cycle.on ? command.cycle.makes_holes() : cuts)) return;
-  // fanuc.program.no-feed: Under G94, a block that moves by G01, G02 or G03 with an axis word, or with I J K or R in
-  // G02 or G03, and one that drills (fanuc.canned-cycle.drills; one with K0 not), raises PS0011 where F is 0 or none
-  // has been given.
+  // fanuc.program.no-feed: Under G94 a block that cuts raises PS0011 if F is 0 or none has been given. Such a block
+  // moves by G01, G02 or G03 with an axis word, or by G02 or G03 with I J K or R, or it drills
+  // (fanuc.canned-cycle.drills; not with K0).
   if (recorder_.decide(Clause::fanuc_program_no_feed, !feed_ || *feed_ == 0)) throw Alarm(AlarmCause::no_feed);
 }
 
@@ -145,7 +145,7 @@ Leg Interpreter::ordinary(const Command& command, spec::MoveType type) const {
     if (!in(command.axes, i)) continue;
     const Rational value = word(command, i);
     // fanuc.program.incremental: Under G90 an axis word is the end position in the workpiece coordinate system, under
-    // G91 the travel from the programmed position; offsets do not enter.
+    // G91 it is the travel from the programmed position. Offsets are not included.
     if (recorder_.decide(Clause::fanuc_program_incremental, command.incremental))
       go(leg, i, position_.at(i) + value, value);
     else
@@ -183,12 +183,13 @@ const Rational& Interpreter::reference(const Command& command, std::size_t axis)
 // G28, G30, G30.1: to the intermediate point, then the named axes to the reference position.
 std::vector<Leg> Interpreter::reference_legs(const Command& command) {
   // fanuc.program.reference-return: G28, G30 and G30.1 take the named axes to the intermediate point and from there to
-  // the reference position (first; second to fourth by P; floating), both in rapid traverse.
+  // the reference position, both in rapid traverse. G28 goes to the first reference position, G30 to the second to
+  // fourth by P, G30.1 to the floating one.
   if (!recorder_.decide(Clause::fanuc_program_reference_return, command.axes != 0)) return {};
   if (command.codes.one_shot == OneShot::other_reference) {
     if (const spec::Decimal* p = command.words.find('P')) {
       const Rational number = plain(*p);
-      // fanuc.program.reference-number: P of G30 names reference position 2, 3 or 4; without P it is 2; another number
+      // fanuc.program.reference-number: P of G30 names reference position 2, 3 or 4. Without P it is 2. Another number
       // raises PS0046.
       if (recorder_.decide(Clause::fanuc_program_reference_number, number != 2 && number != 3 && number != 4))
         throw Alarm(AlarmCause::reference_number);
@@ -215,8 +216,8 @@ std::vector<Leg> Interpreter::return_legs(const Command& command) const {
   intermediate.end = position_;
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     if (!in(command.axes, i)) continue;
-    // fanuc.program.return-without-intermediate: An axis for which no intermediate point exists yet has its current
-    // position for one. On the 30i, G29 with such an axis raises PS0305.
+    // fanuc.program.return-without-intermediate: An axis that has no intermediate point yet uses its current position
+    // as one. On the 30i, G29 with such an axis raises PS0305.
     if (recorder_.decide(Clause::fanuc_program_return_without_intermediate, !intermediate_.at(i))) {
       if (setup_.series == spec::Series::series_30i) throw Alarm(AlarmCause::no_intermediate_point);
       continue;
@@ -243,9 +244,9 @@ std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Le
   const bool center = command.direction && !directed;
   const bool travels = in(command.axes, first) || in(command.axes, second);
   if (r == nullptr && !center) {
-    // fanuc.program.arc-without-center: An axis word of the plane under G02 or G03 without I J K and without R raises
-    // PS0022 with CIR (3403#5) = 1, which is what counts where the setup says nothing; with CIR = 0 the block runs as a
-    // straight line to its end, with its F.
+    // fanuc.program.arc-without-center: With CIR (3403#5) = 1, which is the default, an axis word of the plane under
+    // G02 or G03 raises PS0022 if the block has neither I J K nor R. With CIR = 0 the block runs as a straight line to
+    // its end, with its F.
     if (travels) {
       if (recorder_.decide(Clause::fanuc_program_arc_without_center, setup_.bit(3403, 5, true)))
         throw Alarm(AlarmCause::arc_without_center);
@@ -270,9 +271,9 @@ std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Le
   arc.direction = command.motion == Motion::arc_cw ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
   ArcGeometry geometry;
   if (r != nullptr) {
-    // fanuc.program.arc-radius-wins: Where R and I J K are both given, R counts.
+    // fanuc.program.arc-radius-wins: If R and I J K are both given, R counts.
     recorder_.decide(Clause::fanuc_program_arc_radius_wins, center);
-    // fanuc.program.arc-radius-without-chord: R with an end that is the start in the plane is an arc of 0 degrees: the
+    // fanuc.program.arc-radius-without-chord: R with an end that is the start in the plane is an arc of 0 degrees. The
     // tool does not move in the plane, the other axes move in a straight line, and the block counts as one that does
     // not move in the plane.
     if (model::is_zero(travel)) {
@@ -287,8 +288,8 @@ std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Le
     };
     const Rational to_first = component(in_plane.first_center);
     const Rational to_second = component(in_plane.second_center);
-    // fanuc.program.arc-center-in-start: Without R, I J K of which those of the plane are zero or missing raise PS0022,
-    // in cutter compensation C PS0038 (fanuc.cutter-c.arc-ends-in-center).
+    // fanuc.program.arc-center-in-start: Without R, I J K raise PS0022 if those of the plane are zero or missing. In
+    // cutter compensation C they raise PS0038 instead (fanuc.cutter-c.arc-ends-in-center).
     if (!recorder_.decide(Clause::fanuc_program_arc_center_in_start, to_first == 0 && to_second == 0))
       geometry = arc_by_center(recorder_, start, travel, {to_first, to_second}, arc.direction, allowed_difference_);
     else if (compensated)
@@ -305,8 +306,8 @@ std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Le
 
 void Interpreter::select_workpiece_system(const Command& command) {
   if (!command.codes.workpiece) return;
-  // fanuc.program.workpiece-system: G54 to G59 and G54.1 select the workpiece system. The machine stays where it is:
-  // the programmed position shifts by the difference of the origins, without an event.
+  // fanuc.program.workpiece-system: G54 to G59 and G54.1 select the workpiece system. The machine stays where it is.
+  // The programmed position changes by the difference of the origins, without an event.
   recorder_.reach(Clause::fanuc_program_workpiece_system);
   work_.select(*command.codes.workpiece, position_);
 }
@@ -318,17 +319,17 @@ void Interpreter::write_origins(const Command& command) {
   const Rational number = p == nullptr ? Rational(-1) : plain(*p);
   const std::size_t first = additional ? 1 : 0;
   const std::size_t last = additional ? spec::kAdditionalWorkpieces : setup_.workpiece.size();
-  // fanuc.program.origin-number: P of G10 L2 is 1 to 6 for G54 to G59, or 0 for the origin that is added to all; of G10
-  // L20 it is that of G54.1. Another number, and none, raises PS0031.
+  // fanuc.program.origin-number: P of G10 L2 is 1 to 6 for G54 to G59, or 0 for the origin that is added to all
+  // systems. P of G10 L20 is that of G54.1. Another number, or no P, raises PS0031.
   if (recorder_.decide(Clause::fanuc_program_origin_number,
                        denominator(number) != 1 || number < first || number > last))
     throw Alarm(AlarmCause::g10_workpiece);
   const auto named = static_cast<std::size_t>(numerator(number));
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     if (!command.words.has(axes_.letter(i))) continue;
-    // fanuc.program.origin: G10 L2 and L20 write the workpiece origin of the axes that they name: under G90 the words
-    // replace it, under G91 they are added. It counts from this block on. The machine stays where it is: the programmed
-    // position shifts, without an event.
+    // fanuc.program.origin: G10 L2 and L20 write the workpiece origin of the axes that they name. Under G90 the words
+    // replace the origin, under G91 they are added to it. The new origin counts from this block on. The machine stays
+    // where it is. The programmed position changes, without an event.
     const bool add = recorder_.decide(Clause::fanuc_program_origin, command.incremental);
     if (!additional && named == 0)
       work_.set_external(i, word(command, i), add, position_);
@@ -345,8 +346,8 @@ std::vector<Leg> Interpreter::legs(const Command& command, bool directed, bool a
   const bool goes = command.axes != 0;
   if (one_shot == OneShot::from_reference) return goes ? return_legs(command) : std::vector<Leg>{};
   if (one_shot == OneShot::machine_coordinates) {
-    // fanuc.program.machine-coordinates-incremental: G53 needs G90: under G91 it is ignored together with its axis
-    // words, and makes no event.
+    // fanuc.program.machine-coordinates-incremental: G53 needs G90. Under G91 the code is ignored together with its
+    // axis words, and makes no event.
     if (!goes || recorder_.decide(Clause::fanuc_program_machine_coordinates_incremental, command.incremental))
       return {};
     return {machine_leg(command)};
@@ -376,12 +377,12 @@ Leg Interpreter::stay(const Command& command) const {
 void Interpreter::arrive(const Command& command, const std::vector<Leg>& legs) {
   if (!legs.empty()) position_ = legs.back().end;
   if (!is_shift(command.codes.one_shot)) return;
-  // fanuc.program.shift: G92 calls the programmed position of the axes it names by its words; the shift holds in all
-  // workpiece systems alike, and ends their local system. No event; a move that the block makes because an offset
-  // changes is made before.
-  // fanuc.program.local-system: G52 puts the origin of the local coordinate system of the axes it names to its words,
-  // in all workpiece systems alike, under G90 and G91; 0 ends it. The machine stays where it is. No event; a move that
-  // the block makes because an offset changes is made before.
+  // fanuc.program.shift: G92 gives the programmed position of the axes that it names the values of its words. The shift
+  // that results holds in all workpiece systems alike, and the local system of these axes ends. G92 gives no event. A
+  // move that the block makes because an offset changes comes before the shift.
+  // fanuc.program.local-system: G52 moves the origin of the local coordinate system, for the axes that it names, to the
+  // values of its words. This holds in all workpiece systems alike, under G90 and G91. The value 0 ends it. The machine
+  // stays where it is. G52 gives no event. A move that the block makes because an offset changes comes before it.
   const bool local = command.codes.one_shot == OneShot::local_coordinates;
   recorder_.reach(local ? Clause::fanuc_program_local_system : Clause::fanuc_program_shift);
   for (std::size_t i = 0; i < axes_.size(); ++i) {

@@ -21,14 +21,14 @@ bool OffsetInForce::take(const Codes& codes) {
 }
 
 void OffsetInForce::decide_address(const Codes& codes) const {
-  // fanuc.cutter.number: The offset number is that of the last D. With OFH = 1 an H, wherever it stands, gives it as
-  // well, and the value is then that of the H number; of a D and an H in one block the D counts.
+  // fanuc.cutter.number: The offset number is that of the last D. If OFH = 1, an H in any block gives the number as
+  // well, and the value is then that of the H number. If a block has both a D and an H, the D counts.
   if (codes.h && !codes.d) recorder_.decide(Clause::fanuc_cutter_number, ofh_);
 }
 
 const Rational& OffsetInForce::value(bool taken_anew) {
   // fanuc.cutter.value-edited: The value in force is the one that the memory held in the last block in which the number
-  // was given (the same one too), or in which G41 or G42 came into force after G40.
+  // was given (even if it was the same number again), or in which G41 or G42 came into force after G40.
   if (recorder_.decide(Clause::fanuc_cutter_value_edited, taken_anew || evr_))
     value_ = number_.of_h ? memory_.h(number_.number) : memory_.d(number_.number);
   return value_;

@@ -97,8 +97,8 @@ Rational OffsetMemory::applied(const Table& table, std::uint32_t number) const {
   }
   const Entry offset = entry(table, number);
   Rational value = offset.geometry + offset.wear;
-  // fanuc.memory.value-too-large: A value that is beyond the geometry range of the memory when a command applies it
-  // raises PS0029. Ranges: geometry IS-A 999.99 mm, 99.999 inch; IS-B 999.999, 99.9999; IS-C 999.9999, 99.99999.
+  // fanuc.memory.value-too-large: A value beyond the geometry range of the memory raises PS0029 when a command applies
+  // it. The geometry ranges are IS-A 999.99 mm, 99.999 inch; IS-B 999.999, 99.9999; IS-C 999.9999, 99.99999.
   if (recorder_.decide(Clause::fanuc_memory_value_too_large, magnitude(value) > geometry_limit_))
     throw Alarm(AlarmCause::offset_value);
   return value;
@@ -110,15 +110,14 @@ std::optional<OffsetWrite> OffsetMemory::read_write(const Words& words, const Nu
   write.add = incremental;
   const spec::Decimal* const p = words.find('P');
   const Rational number = p == nullptr ? Rational(0) : plain(*p);
-  // fanuc.memory.g10-number: P of G10 names the offset number; a number that is not whole, 0, beyond the memory or
-  // missing raises PS0031.
+  // fanuc.memory.g10-number: P of G10 names the offset number. A number that is not whole, is 0, is beyond the memory
+  // or is missing raises PS0031.
   if (denominator(number) != 1 || number < 1 || number > count_)
     raise(recorder_, Clause::fanuc_memory_g10_number, AlarmCause::g10_number);
   write.number = static_cast<std::uint32_t>(numerator(number));
 
   const spec::Decimal* const r = words.find('R');
-  // fanuc.memory.g10-value: R of G10 is the value. Without R nothing is written; on the 30i it
-  // raises PS0031.
+  // fanuc.memory.g10-value: R of G10 is the value. Without R nothing is written, and on the 30i PS0031 is raised.
   if (!recorder_.decide(Clause::fanuc_memory_g10_value, r != nullptr)) {
     if (series_ == spec::Series::series_30i) throw Alarm(AlarmCause::g10_number);
     return std::nullopt;
@@ -127,17 +126,17 @@ std::optional<OffsetWrite> OffsetMemory::read_write(const Words& words, const Nu
   const Rational& limit = write.wear ? wear_limit_ : geometry_limit_;
   const bool too_large =
       (write.h && magnitude(written(h_, write)) > limit) || (write.d && magnitude(written(d_, write)) > limit);
-  // fanuc.memory.g10-range: A value that G10 would store beyond the range of its store raises PS0032. Wear ranges are a
-  // tenth of the geometry ranges in whole digits: IS-A 99.99 mm, 9.999 inch; IS-B 99.999, 9.9999; IS-C 99.9999,
-  // 9.99999.
+  // fanuc.memory.g10-range: G10 raises PS0032 if the value that it would store is beyond the range of its store. Wear
+  // ranges have one whole digit less than geometry ranges: IS-A 99.99 mm, 9.999 inch; IS-B 99.999, 9.9999; IS-C
+  // 99.9999, 9.99999.
   if (recorder_.decide(Clause::fanuc_memory_g10_range, too_large)) throw Alarm(AlarmCause::g10_value);
   return write;
 }
 
 OffsetWrite OffsetMemory::measured(std::uint32_t number, const Rational& difference) const {
   OffsetWrite write = offset_kind(11, kind_).value();  // every memory has an L11
-  // fanuc.length-measurement.store: Memory A: the value itself changes. Memory B: the wear value. Memory C: the wear
-  // value of H.
+  // fanuc.length-measurement.store: In memory A the value itself changes, in memory B the wear value, in memory C the
+  // wear value of H.
   recorder_.decide(Clause::fanuc_length_measurement_store, write.wear);
   write.add = true;
   write.number = number;

@@ -28,14 +28,15 @@ std::optional<Vector> along_coordinate(const Vector& v) {
 
 }  // namespace
 
-// fanuc.tool-center-point.lean: Q of the block of G43.5 leans the tool, in every block of the mode in which the tip
-// moves, by Q degrees from the direction V commanded or kept toward the travel d of that block, in the plane of both;
-// negative against it. V and d are in the programming system, d of the programmed travel. Everything else starts from
-// the leaned direction. Q of 0, or none, does not lean; in the blocks that follow Q is not the lean angle, and outside
-// tool side compensation nobody looks at it.
-// fanuc.tool-center-point.lean-along-the-travel: Asked where Q is not 0 and I J K stand in the block or the tip
-// travels. Where V is parallel to d, or the tip does not travel, Q has no effect in that block: the direction is the
-// one commanded or kept, without a lean.
+// fanuc.tool-center-point.lean: Q of the block of G43.5 leans the tool in every block of the mode in which the tip
+// moves. The tool leans by Q degrees from the direction V, commanded or kept, toward the travel d of that block, in the
+// plane of V and d. A negative Q leans it the other way, against d. V and d are in the programming system, and d is
+// that of the programmed travel. Everything else starts from the leaned direction. With a Q of 0, or without Q, the
+// tool does not lean. In the blocks that follow Q is not the lean angle, and outside tool side compensation it means
+// nothing.
+// fanuc.tool-center-point.lean-along-the-travel: If V is parallel to d, or the tip does not travel, Q has no effect in
+// that block: the direction is the one commanded or kept, without a lean. Asked if Q is not 0, in a block that has I J
+// K or in which the tip travels.
 //
 // V' = cos Q V + sin Q n × V, with n = V × d / |V × d|.
 Direction TipRules::leaned(const Direction& tool, const Leg& leg, const Rational& degrees) const {
@@ -57,9 +58,9 @@ Direction TipRules::leaned(const Direction& tool, const Leg& leg, const Rational
   return {unit, 1, unit, true};
 }
 
-// fanuc.tool-center-point.lean-in-an-arc: In an arc d is the tangent in space at its end: perpendicular to the radius
-// there, in the sense of the arc, and in a helix with its pitch. An arc under G43.5 is one by R, so its radius is the
-// same at both ends.
+// fanuc.tool-center-point.lean-in-an-arc: In an arc d is the tangent in space at the end of the arc. It is
+// perpendicular to the radius there, in the sense of the arc, and in a helix it has the pitch of the helix. An arc
+// under G43.5 is given by R, so its radius is the same at both ends.
 //
 // As long as the radius there; on a helix with what it climbs in an angle of 1 radian. Only that part is no algebraic
 // number.
@@ -82,14 +83,15 @@ Vector TipRules::lean_travel(const Leg& leg) const {
   return tangent;
 }
 
-// fanuc.tool-center-point.arc-in-workpiece-system: With WKP = 1 only a table axis that is normal to the plane selected,
-// as it stands in the machine at the start of the block, may turn in an arc. Every other table axis has to stand, at
-// both ends, where it stood when tool center point control began, at the frozen pose (whole turns count); else PS5421.
-// Tool axes are free.
-// fanuc.tool-center-point.arc-with-table-turned: With WKP = 1 the manual lets a table axis normal to the plane turn in
-// an arc, but not what path the tip then has: an arc with such an axis turning in it, or turned since tool center point
-// control began, raises ARC_WITH_TABLE_TURNED, a name of ours, behind PS5421 of the clause before. An axis turned
-// before that is no matter: where no table axis has moved since, the workpiece system is the table system.
+// fanuc.tool-center-point.arc-in-workpiece-system: With WKP = 1 a table axis may turn in an arc only if it is normal to
+// the selected plane, as it stands in the machine at the start of the block. Every other table axis must stand, at both
+// ends, where it stood when tool center point control began, at the frozen pose (whole turns count). Otherwise PS5421
+// is raised. Tool axes are free.
+// fanuc.tool-center-point.arc-with-table-turned: With WKP = 1 an arc raises ARC_WITH_TABLE_TURNED, a name of ours, if a
+// table axis normal to the plane turns in it or has turned since tool center point control began. The manual lets such
+// an axis turn in an arc, but does not say what path the tip then has. PS5421 of
+// fanuc.tool-center-point.arc-in-workpiece-system comes first. A turn before tool center point control began does not
+// matter: if no table axis has moved since, the workpiece system is the table system.
 //
 // The first axis of a table carries the second. Where the first turns it is normal to the plane, so that the second
 // keeps its angle to the normal: its line at the start decides for the whole block.

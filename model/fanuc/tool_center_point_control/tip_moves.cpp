@@ -73,9 +73,9 @@ std::optional<Vector> tip_beside_name(const Move& move, const spec::Axes& axes) 
   return move.tip->frame->frame.in_workpiece(on_table(*move.tip, tip_at(move, axes)), move.tip->pose);
 }
 
-// fanuc.tool-center-point.samples: Asked for N samples every own move of a block under tool center point control, that
-// of a lone H too, is preceded by the positions at t = k/N, k from 1 to N - 1. The block of the code, inserted moves
-// and turns give none.
+// fanuc.tool-center-point.samples: If N samples are requested, the positions at t = k/N, k from 1 to N - 1, come before
+// every own move of a block under tool center point control, that of a lone H included. The block of the code, inserted
+// moves and turns give none.
 namespace {
 
 Event position_inside(const Move& last, const Move& move, const OwnMotion& inside, const spec::Axes& axes,

@@ -6,10 +6,10 @@
 namespace toolcomp::model {
 
 // fanuc.tool-center-point.tip-path: Inside a block the tip is at the fraction t of its path in the system fixed to the
-// table, with either WKP: on the line, or on the arc, where t is the fraction of the sweep, the radius and the travel
-// across the plane going evenly with it (an arc that has no sweep because an end lies in its centre counts as the line
-// between its ends). A block that does not move the tip has the fraction of its rotation for t. Axes that are neither X
-// Y Z nor rotary axes of 19681 and 19686 go evenly.
+// table, whatever WKP is. On an arc t is the fraction of the sweep, and the radius and the travel across the plane go
+// evenly with it. An arc that has no sweep, because an end lies in its centre, counts as the line between its ends. In
+// a block that does not move the tip, t is the fraction of the rotation. Axes that are neither X Y Z nor rotary axes of
+// 19681 and 19686 go evenly.
 Vector TipPath::at(const Rational& t) const {
   Vector straight = path_.from + Real(t) * (path_.to - path_.from);
   if (!path_.turn) return straight;

@@ -51,16 +51,19 @@ bool same(const Pose& a, const Pose& b) {
 Clause control_point_clause(MachineType type) {
   switch (type) {
     case MachineType::table:
-      // fanuc.tool-center-point.control-point-table-rotation: Type 12: the first axis goes through A, 19700 to 19702 in
-      // machine coordinates, the second by d, 19703 to 19705, beside it with the first at 0.
+      // fanuc.tool-center-point.control-point-table-rotation: On machines of type 12 the first axis goes through A
+      // (19700 to 19702, in machine coordinates). The second axis goes through A + d (d: 19703 to 19705) when the first
+      // axis is at 0.
       return Clause::fanuc_tool_center_point_control_point_table_rotation;
     case MachineType::mixed:
-      // fanuc.tool-center-point.control-point-mixed: Type 21: the table axis goes through A, 19700 to 19702; the
-      // control point is E, from the tip along the tool by L and then by 19709 to 19711 turned with the tool axis.
+      // fanuc.tool-center-point.control-point-mixed: On machines of type 21 the table axis goes through A (19700 to
+      // 19702), and the control point is E. E is found from the tip along the tool by L, and then by 19709 to 19711,
+      // turned with the tool axis.
       return Clause::fanuc_tool_center_point_control_point_mixed;
     default:
-      // fanuc.tool-center-point.control-point-tool-rotation: Type 2: from the tip along the tool by L to D, by 19709 to
-      // 19711 (given with both axes at 0) to E on the second axis, by 19712 to 19714 to F on the first axis.
+      // fanuc.tool-center-point.control-point-tool-rotation: On machines of type 2 the control point is F, three steps
+      // from the tip. The first goes along the tool by L to D. The second goes by 19709 to 19711 (given with both axes
+      // at 0) to E on the second axis. The third goes by 19712 to 19714 to F on the first axis.
       return Clause::fanuc_tool_center_point_control_point_tool_rotation;
   }
 }
@@ -125,12 +128,12 @@ const Direction& ToolCenterPointControl::of_pose(const Position& position) {
 
 ToolAtEnd ToolCenterPointControl::at(const Position& end) {
   // fanuc.tool-direction.of-pose: The tool direction VT points from the tip to the holder and follows the positions of
-  // the rotary axes at the end of the block. A setup without rotary axes that turn the tool has VT = (0, 0, 1), and its
+  // the rotary axes at the end of the block. If a setup has no rotary axes that turn the tool, VT is (0, 0, 1), and its
   // events carry no tool axis.
   recorder_.decide(Clause::fanuc_tool_direction_of_pose, kinematics_.present());
-  // fanuc.tool-direction.table-stands: On machines with table axes of the 30i, outside tool center point control,
-  // compensation is programmed in the workpiece system, which stands while the table turns: VT is the direction of the
-  // tool in the machine.
+  // fanuc.tool-direction.table-stands: On 30i machines with table axes, outside tool center point control, compensation
+  // is programmed in the workpiece system, which stands while the table turns. VT is then the direction of the tool in
+  // the machine.
   if (kinematics_.has_table()) recorder_.decide(Clause::fanuc_tool_direction_table_stands, kinematics_.table_stands());
   decide_angles();
   follow(end);
@@ -142,18 +145,18 @@ void ToolCenterPointControl::follow(const Position& position) {
   tool_ = of_pose(position);
 }
 
-// fanuc.tool-center-point.end: G49 ends tool center point control without a move and without an event: the programmed X
-// Y Z become those of the axes, without a shift left by G45 to G48, which stays; the rotary positions stay. G54 to G59
-// in the same block count after that; axis words of the block move from there.
-// fanuc.tool-center-point.end-moves: With the setup key tip_control_cancel = moves the G49 that ends tool center point
-// control takes the offset back: the programmed X Y Z stay those of the tip, seen in the workpiece system where a table
-// has turned it, and the block makes one move, also without an axis word, in which the linear axes go to the programmed
+// fanuc.tool-center-point.end: G49 ends tool center point control without a move and without an event. The programmed X
+// Y Z become those of the axes, without a shift left by G45 to G48, which stays. The rotary positions stay. G54 to G59
+// in the same block count after that. Axis words of the block move from there.
+// fanuc.tool-center-point.end-moves: With the setup key tip_control_cancel = moves, the G49 that ends tool center point
+// control takes the offset back. The programmed X Y Z stay those of the tip, seen in the workpiece system if a table
+// has turned it. The block makes one move, even without an axis word, in which the linear axes go to the programmed
 // position without the vector from tip to control point.
-// fanuc.tool-center-point.again: G43.4 or G43.5 under tool center point control, the same code or the other, ends it
-// and starts it anew: before the words of the block count the tip stays where it is, the programmed X Y Z become its
-// coordinates in the workpiece system at the present pose (without a shift left by G45 to G48, which stays), and the
-// direction kept is that of the rotary positions (without kinematics the one in force). P, Q and the frame are those of
-// the new block, H where it is given.
+// fanuc.tool-center-point.again: G43.4 or G43.5 under tool center point control, the same code or the other one, ends
+// the control and starts it anew. Before the words of the block count, the tip stays where it is. The programmed X Y Z
+// become its coordinates in the workpiece system at the present pose, without a shift left by G45 to G48, which stays.
+// The direction kept is that of the rotary positions (without kinematics the direction in force). P, Q and the frame
+// are those of the new block, and so is H if the block gives it.
 void ToolCenterPointControl::rename_position(const TipMarks& marks, const Leg& standing,
                                              Interpreter& interpreter) const {
   if (!tip_) return;
@@ -175,8 +178,9 @@ void ToolCenterPointControl::rename_position(const TipMarks& marks, const Leg& s
 }
 
 // fanuc.tool-center-point.length: The length L along the tool is the offset of the H number plus the tool holder offset
-// 19666. H and edited values follow the rules of G43, without G43 or G44 adding or taking; a change comes into force in
-// the same blocks. In a block in which L changes it goes evenly with the path from the old to the new one.
+// 19666. H and edited values follow the rules of G43, except that no G43 or G44 adds or subtracts the offset. A change
+// comes into force in the same blocks as under G43. In a block in which L changes, it goes evenly with the path from
+// the old value to the new one.
 TurnedBlock ToolCenterPointControl::turn(const Command& command, const TipMarks& marks, const Interpreter& interpreter,
                                          const Rational& offset, Leg& leg) {
   recorder_.reach(Clause::fanuc_tool_center_point_length);
@@ -194,12 +198,12 @@ TurnedBlock ToolCenterPointControl::turn(const Command& command, const TipMarks&
   return result;
 }
 
-// fanuc.tool-center-point.block: The block of G43.4 or G43.5 is not yet run under tool center point control: its axes
-// go to their ends each by itself, with the length of the tool applied there. It always makes one move, also where
-// nothing moves.
+// fanuc.tool-center-point.block: The block of G43.4 or G43.5 itself is not yet run under tool center point control.
+// Each of its axes goes to its end by itself, and the tool length is applied there. The block always makes one move,
+// even if nothing moves.
 // fanuc.tool-center-point.frozen-pose: The table system is the copy of the workpiece system at the pose at which the
-// block of G43.4 or G43.5 ends, rotary axes moved in that block included; with the table turned by then it is parallel
-// to the machine all the same.
+// block of G43.4 or G43.5 ends. The rotary axes that move in that block have then moved. Even if the table is turned by
+// then, the table system is parallel to the machine.
 void ToolCenterPointControl::start(const Command& command, const TipMarks& marks, const Interpreter& interpreter,
                                    Leg& leg) {
   recorder_.reach(Clause::fanuc_tool_center_point_block);
@@ -235,10 +239,10 @@ void ToolCenterPointControl::start(const Command& command, const TipMarks& marks
 }
 
 // fanuc.tool-center-point.direction-words: Under G43.5 I J K are the direction from tip to holder in the programming
-// system, of any length; of some given the missing ones are 0. With none the direction last commanded is kept, without
-// its lean; after a block whose end posture was changed the actual one; from the block of G43.5 on, without I J K in
-// it, the one of the rotary positions. In a block without I J K the rotary axes stand still, whatever the range, where
-// Q is 0 or the tip has no travel. I J K alone make a move.
+// system, of any length. If only some of them are given, the missing ones are 0. Without I J K the direction last
+// commanded is kept, without its lean. After a block whose end posture was changed, the actual direction is kept. From
+// a block of G43.5 without I J K on, the direction of the rotary positions is kept. In a block without I J K the rotary
+// axes stand still, whatever the range, if Q is 0 or the tip has no travel. I J K alone make a move.
 std::optional<Direction> ToolCenterPointControl::direction_asked(const Command& command, const Interpreter& interpreter,
                                                                  const Leg& leg) {
   const bool given = recorder_.decide(Clause::fanuc_tool_center_point_direction_words, command.direction);
@@ -256,9 +260,9 @@ std::optional<Direction> ToolCenterPointControl::direction_asked(const Command& 
 }
 
 // fanuc.tool-center-point.without-kinematics: With 19680 = 0 G43.4 raises PS5459. G43.5 then takes I J K, leaned by Q
-// as on any machine, for the direction itself: nothing is turned, reached or chosen, no posture is singular, WKP does
-// not count, and P makes no difference. Inside a block the direction goes along the great circle, evenly; between
-// opposite directions, where there is none, it stays the first one until the end.
+// as on any machine, for the direction itself. Nothing is turned, reached or chosen, no posture is singular, WKP does
+// not count, and P makes no difference. Inside a block the direction goes evenly along the great circle. Between
+// opposite directions there is no great circle, and the direction stays the first one until the end.
 TurnedBlock ToolCenterPointControl::turn_directly(const Command& command, const Interpreter& interpreter,
                                                   const Leg& leg) {
   TurnedBlock result;
@@ -272,8 +276,8 @@ TurnedBlock ToolCenterPointControl::turn_directly(const Command& command, const 
 
 // fanuc.tool-center-point.tip-alone: In a block without X Y Z, with rotary axes or I J K only, the tip stays where it
 // is on the table while the axes move.
-// fanuc.tool-center-point.arc: Arcs and helices of the plane selected are run by the tip in the programming system, on
-// a table machine relative to the table, while the rotary axes or the direction change as in a straight block.
+// fanuc.tool-center-point.arc: The tip runs arcs and helices of the selected plane in the programming system, on a
+// table machine relative to the table. The rotary axes or the direction change as in a straight block.
 TurnedBlock ToolCenterPointControl::turn_axes(const Command& command, const TipMarks& marks,
                                               const Interpreter& interpreter, Leg& leg) {
   const bool tip_alone = !has_axis_word(command, is_space_axis);
@@ -323,11 +327,12 @@ PosturePlan ToolCenterPointControl::plan(const PostureBlock& block) const {
   return with_posture_ ? posture_->plan(tip_->frame, block) : posture_->conventional(tip_->frame, block);
 }
 
-// fanuc.tool-center-point.workpiece-system-end: With WKP = 1 an end point is given as it will be after the table has
-// turned; the tip still runs straight relative to the table. Axes without a word keep their coordinate in the workpiece
-// system.
-// fanuc.tool-center-point.tip-alone-in-workpiece-system: With WKP = 1 too the tip stays on the table in such a block:
-// the programmed X Y Z become those where it then is. A block with one of X Y Z is no such block.
+// fanuc.tool-center-point.workpiece-system-end: With WKP = 1 an end point is programmed as it will be after the table
+// has turned. The tip still runs straight relative to the table. Axes without a word keep their coordinate in the
+// workpiece system.
+// fanuc.tool-center-point.tip-alone-in-workpiece-system: With WKP = 1 too the tip stays on the table in a block without
+// X Y Z. The programmed X Y Z become those of the place where the tip then is. A block with one of X Y Z is no such
+// block.
 void ToolCenterPointControl::keep_tip_on_table(bool tip_alone, const Position& from, const Pose& end, Leg& leg) {
   if (!tip_alone) {
     recorder_.reach(Clause::fanuc_tool_center_point_workpiece_system_end);

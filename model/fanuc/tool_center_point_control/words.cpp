@@ -56,14 +56,14 @@ void ToolCenterPointControl::restrict_mode(const Command& command, const ToolLen
   const Codes& codes = command.codes;
   const bool cutter = codes.compensation && is_cutter_side(*codes.compensation);
   // fanuc.tool-center-point.forbidden: G28 G29 G30 G30.1 G37 G39 G41 G42 G45 to G48 G52 G53 G54 to G59 G54.1 G92 and
-  // G10 L2 L20 in a block under G43.4 or G43.5, the block of the code included, and a block in the drilling mode there
-  // (fanuc.canned-cycle.mode), raise FORBIDDEN_UNDER_TOOL_DIRECTION.
+  // G10 L2 L20 raise FORBIDDEN_UNDER_TOOL_DIRECTION in a block under G43.4 or G43.5, the block of the code included. So
+  // does a block in the drilling mode there (fanuc.canned-cycle.mode).
   if (marks.tip_control &&
       (command.cycle.on || leaves_the_path(codes.one_shot) || codes.workpiece || codes.writes_origin || cutter))
     raise(recorder_, Clause::fanuc_tool_center_point_forbidden, AlarmCause::forbidden_under_tool_direction);
   const bool axis_offset_code = codes.length == LengthCode::plus || codes.length == LengthCode::minus;
   // fanuc.tool-center-point.exclusion: G43 or G44 under tool center point control, and G43.4 or G43.5 while an axis has
-  // a length offset that is not zero, raise LENGTH_OFFSET_EXCLUSION: G49 has to stand between.
+  // a length offset that is not zero, raise LENGTH_OFFSET_EXCLUSION. G49 must come between them.
   if (axis_offset_code || (marks.starts && length.axis_offset()))
     raise(recorder_, Clause::fanuc_tool_center_point_exclusion, AlarmCause::length_offset_exclusion);
 }
@@ -72,10 +72,10 @@ void ToolCenterPointControl::restrict_start(const Command& command, const TipMar
   // fanuc.tool-center-point.without-kinematics: With 19680 = 0 G43.4 raises PS5459.
   const bool without = recorder_.decide(Clause::fanuc_tool_center_point_without_kinematics, !machine_);
   if (without && !marks.directed) throw Alarm(AlarmCause::tip_control_parameters);
-  // fanuc.tool-center-point.programming-system: 19696 bit 5, WKP: 0 programs in the table coordinate system, a copy of
-  // the workpiece system fixed to the table, which turns with the table and not with a head; 1 programs in the
-  // workpiece system, which does not turn. Events give the programmed end, the point and the tool axis in the
-  // programming system. Asked in the block of the code.
+  // fanuc.tool-center-point.programming-system: WKP (19696#5) chooses the programming system. WKP = 0 programs in the
+  // table coordinate system, a copy of the workpiece system that is fixed to the table and turns with the table, not
+  // with a head. WKP = 1 programs in the workpiece system, which does not turn. Events give the programmed end, the
+  // point and the tool axis in the programming system. Asked in the block of the code.
   // fanuc.tool-center-point.type-2-in-workpiece-system: G43.5 with WKP = 1 raises PS5459, on every type of machine.
   if (!without &&
       recorder_.decide(Clause::fanuc_tool_center_point_programming_system, machine_->programs_workpiece()) &&
@@ -85,10 +85,10 @@ void ToolCenterPointControl::restrict_start(const Command& command, const TipMar
   if (without) return;
   if (marks.directed || with_posture_) {
     const bool inverse = posture_->is_possible();
-    // fanuc.tool-center-point.not-invertible: Where an axis is hypothetical, or u_t is parallel to t0 or to u_w,
-    // directions cannot be reached by turning the two axes: G43.5 raises PS5459, with P1 G43.4 runs every block under
-    // conventional control, without a warning. Asked in the block of G43.5, and of G43.4 with posture control, on a
-    // machine with 19680 other than 0.
+    // fanuc.tool-center-point.not-invertible: If an axis is hypothetical, or u_t is parallel to t0 or to u_w,
+    // directions cannot be reached by turning the two axes. G43.5 then raises PS5459. G43.4 with posture control then
+    // runs every block under conventional control, without a warning. Asked in the block of G43.5, and in that of G43.4
+    // with posture control, on a machine with 19680 other than 0.
     if (recorder_.decide(Clause::fanuc_tool_center_point_not_invertible, !inverse) && marks.directed)
       throw Alarm(AlarmCause::tip_control_parameters);
     with_posture_ = with_posture_ && inverse;
@@ -99,32 +99,32 @@ void ToolCenterPointControl::restrict_start(const Command& command, const TipMar
 void ToolCenterPointControl::read_posture_word(const Command& command) {
   const spec::Decimal* const p = word(command, 'P');
   if (p == nullptr) {
-    // fanuc.tool-posture.default: Without P in that block 19604 bit 0, TPC, decides: 1 posture control, 0 conventional
-    // control.
+    // fanuc.tool-posture.default: Without P in the block of G43.4 or G43.5 TPC (19604#0) decides: 1 posture control, 0
+    // conventional control.
     with_posture_ = recorder_.decide(Clause::fanuc_tool_posture_default, posture_by_default_);
     return;
   }
   const Rational value = plain(*p);
-  // fanuc.tool-posture.word-value: P of another value than 0 or 1 in the block of G43.4 or G43.5 raises PS5421.
+  // fanuc.tool-posture.word-value: A P other than 0 or 1 in the block of G43.4 or G43.5 raises PS5421.
   if (value != 0 && value != 1) raise(recorder_, Clause::fanuc_tool_posture_word_value, AlarmCause::tip_control_word);
-  // fanuc.tool-posture.word: P of the block of G43.4 or G43.5: P1 chooses posture control, P0 conventional control,
-  // until G49.
+  // fanuc.tool-posture.word: P of the block of G43.4 or G43.5 chooses the interpolation until G49: P1 posture control,
+  // P0 conventional control.
   with_posture_ = recorder_.decide(Clause::fanuc_tool_posture_word, value == 1);
 }
 
 void ToolCenterPointControl::restrict_compensation(const Command& command, const TipMarks& marks,
                                                    const Pipeline& stages) const {
   const Pipeline::InForce in_space = stages.in_force(Extent::space, command);
-  // fanuc.tool-center-point.format: TOOL_DIRECTION_FORMAT: G43.4 or G43.5, or the G49 that ends it, in the leading edge
-  // offset or in the block that starts it, or where tool side compensation is on before or after the block; G43.4 or
-  // G43.5 in a block under G02 or G03.
+  // fanuc.tool-center-point.format: TOOL_DIRECTION_FORMAT is raised by G43.4 or G43.5, and by the G49 that ends it, in
+  // the leading edge offset or in the block that starts it, or if tool side compensation is on before or after the
+  // block. G43.4 or G43.5 in a block under G02 or G03 raises it too.
   if ((in_space.any() && (marks.starts || marks.ends)) || (marks.starts && command.is_arc_motion()))
     raise(recorder_, Clause::fanuc_tool_center_point_format, AlarmCause::tool_direction_format);
   const bool on_table = machine_ && machine_->programs_workpiece() && machine_->type() != MachineType::head;
   // fanuc.tool-center-point.compensation-in-workpiece-system: With WKP = 1 on a machine with a table axis (19680 = 12,
-  // 21) COMPENSATION_IN_WORKPIECE_SYSTEM, a name of ours, is raised by a block under G43.4 after which tool side
-  // compensation or the leading edge offset is on. What 19746 bit 4 says is of compensation outside tool center point
-  // control (fanuc.tool-direction.table-stands): set or not, the block is refused.
+  // 21), a block under G43.4 after which tool side compensation or the leading edge offset is on raises
+  // COMPENSATION_IN_WORKPIECE_SYSTEM, a name of ours. 19746 bit 4 is about compensation outside tool center point
+  // control (fanuc.tool-direction.table-stands). Whether it is set or not, the block is refused.
   if (marks.tip_control && on_table && in_space.after)
     raise(recorder_, Clause::fanuc_tool_center_point_compensation_in_workpiece_system,
           AlarmCause::compensation_in_workpiece_system);
@@ -140,9 +140,9 @@ void ToolCenterPointControl::restrict_words(const Command& command, const TipMar
   }
   if (!command.direction) return;
   const bool on_table = machine_ && machine_->type() != MachineType::head;
-  // fanuc.tool-center-point.direction-at-start: I J K in the block of G43.5: a tool rotation machine (type 2) turns
-  // there, to the pair chosen by fanuc.tool-center-point.choice, with P0 and P1 alike and without a lean; with a table
-  // axis (types 12, 21) PS5421 is raised.
+  // fanuc.tool-center-point.direction-at-start: I J K in the block of G43.5 turn a tool rotation machine (type 2) in
+  // that block, to the pair chosen by fanuc.tool-center-point.choice. P0 and P1 are alike there, and there is no lean.
+  // On a machine with a table axis (types 12, 21) they raise PS5421.
   if (marks.starts && recorder_.decide(Clause::fanuc_tool_center_point_direction_at_start, on_table))
     throw Alarm(AlarmCause::direction_at_start);
   // fanuc.tool-center-point.zero: I J K that are all zero under G43.5 raise PS5421.
@@ -155,16 +155,17 @@ void ToolCenterPointControl::restrict_arc(const Command& command, const TipMarks
   const bool radius = word(command, 'R') != nullptr;
   const PlaneLetters in_plane = letters(command.plane);
   const auto named = [&](char letter) { return axes_.has(letter) && word(command, letter) != nullptr; };
-  // fanuc.tool-center-point.arc-by-radius: Under G43.5, where I J K are the direction, the centre of an arc is given by
-  // R alone. A word of the plane without R under G02 or G03 raises PS5421 (the number is ours). A full circle cannot be
-  // given: R with an end that is the start is an arc of 0 degrees (fanuc.program.arc-radius-without-chord).
+  // fanuc.tool-center-point.arc-by-radius: Under G43.5 the centre of an arc is given by R alone, because I J K are the
+  // direction. An axis word of the plane without R under G02 or G03 raises PS5421 (the number is ours). A full circle
+  // cannot be given: R with an end that is the start is an arc of 0 degrees (fanuc.program.arc-radius-without-chord).
   if (marks.directed && !radius && (named(in_plane.first) || named(in_plane.second)))
     raise(recorder_, Clause::fanuc_tool_center_point_arc_by_radius, AlarmCause::tip_control_arc);
   const bool turns = marks.directed ? command.direction
                                     : has_axis_word(command, spec::is_rotary_axis) && !command.direction && !radius;
-  // fanuc.tool-center-point.arc-rotary-only: A block under G02 or G03 that would turn the tool alone raises PS5421:
-  // under G43.4 a rotary axis word without a linear axis word and without I J K R, under G43.5 I J K without a linear
-  // axis word. The manual allows it in G00 and G01 only; the number is ours.
+  // fanuc.tool-center-point.arc-rotary-only: A block under G02 or G03 that would only turn the tool raises PS5421.
+  // Under G43.4 this is a block with a rotary axis word, without a linear axis word and without I J K R. Under G43.5 it
+  // is a block with I J K without a linear axis word. The manual allows such a block in G00 and G01 only. The number is
+  // ours.
   if (turns && !has_axis_word(command, spec::is_linear_axis))
     raise(recorder_, Clause::fanuc_tool_center_point_arc_rotary_only, AlarmCause::tip_control_arc);
 }

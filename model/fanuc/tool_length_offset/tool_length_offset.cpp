@@ -47,13 +47,13 @@ void ToolLengthOffset::take(const LengthCommand& command) {
     vector_.along_tool = memory_.h(number_);
     return;
   }
-  // fanuc.length-offset.number-while-cancelled: While no length offset is in force an H stores its number and moves
+  // fanuc.length-offset.number-while-cancelled: While no length offset is in force, an H stores its number and moves
   // nothing.
   if (recorder_.decide(Clause::fanuc_length_offset_number_while_cancelled, !active())) return;
   const AxisMask axes = rules_.affected(command, vector_, axes_.last);
   if (rules_.only_stored(command, axes, axes_.cancelled)) return;
   // fanuc.length-offset.restored-by-number: A block with G43, G44 or an H that counts restores the vector on the axis
-  // it acts on (types A, B by EVO = 0, and C); nothing else comes back with it.
+  // on which it acts (types A and B with EVO = 0, and type C). Nothing else comes back with it.
   if (!starts && (axes & axes_.cancelled) != 0) recorder_.reach(Clause::fanuc_length_offset_restored_by_number);
   axes_.last = axes;
   apply(axes);

@@ -18,8 +18,8 @@ Real magnitude(const Real& value) { return value.sign() == Sign::negative ? -val
 Rational ToolOffsetRules::lengthening(OneShot code, const Rational& value) const {
   const bool increase = code == OneShot::increase || code == OneShot::double_increase;
   const bool twice = code == OneShot::double_increase || code == OneShot::double_decrease;
-  // fanuc.tool-offset.increase: G45 and G47 increase the travel by the offset, G46 and G48 decrease it; a negative
-  // offset exchanges them.
+  // fanuc.tool-offset.increase: G45 and G47 increase the travel by the offset, G46 and G48 decrease it. With a negative
+  // offset it is the other way round.
   const Rational once = recorder_.decide(Clause::fanuc_tool_offset_increase, increase) ? value : Rational(-value);
   // fanuc.tool-offset.double: G47 and G48 count the offset twice.
   return recorder_.decide(Clause::fanuc_tool_offset_double, twice) ? once * 2 : once;
@@ -32,30 +32,30 @@ Rational ToolOffsetRules::shift(const Command& command, char axis, const Real& t
   if (!recorder_.decide(Clause::fanuc_tool_offset_linear_axes, spec::is_linear_axis(axis))) return 0;
   const Sign sign = travel.sign();
   int sense = 0;
-  // fanuc.tool-offset.zero-travel: A travel of zero in G91 moves the axis by the offset alone; in G90 a commanded
+  // fanuc.tool-offset.zero-travel: With a travel of zero in G91 the axis moves by the offset alone. In G90 a commanded
   // position that is the programmed one does not move the axis, and the shift stays.
-  // fanuc.tool-offset.zero-travel-absolute: A travel of zero: G90 does nothing, G91 moves by the offset.
+  // fanuc.tool-offset.zero-travel-absolute: A travel of zero does nothing in G90, and moves by the offset in G91.
   if (!recorder_.decide(Clause::fanuc_tool_offset_zero_travel, sign == Sign::zero))
     sense = recorder_.decide(Clause::fanuc_tool_offset_direction, sign == Sign::positive) ? 1 : -1;
   else if (recorder_.decide(Clause::fanuc_tool_offset_zero_travel_absolute, !command.incremental))
     return 0;
   else
     sense = sense_of_zero(*command.words.find(axis));
-  // fanuc.tool-offset.reversal: A travel decreased below zero goes in the opposite sense.
+  // fanuc.tool-offset.reversal: If the travel is decreased below zero, the axis goes in the opposite sense.
   recorder_.decide(Clause::fanuc_tool_offset_reversal, (magnitude(travel) + Real(by)).sign() == Sign::negative);
   return sense * by;
 }
 
-// fanuc.tool-offset.sign-of-zero: In G91 the sign written before a zero is the sense of the travel: X0 positive, X-0
+// fanuc.tool-offset.sign-of-zero: In G91 the sign written before a zero is the sense of the travel: X0 is positive, X-0
 // negative.
 int ToolOffsetRules::sense_of_zero(const spec::Decimal& word) const {
   return recorder_.decide(Clause::fanuc_tool_offset_sign_of_zero, word.negative) ? -1 : 1;
 }
 
-// fanuc.tool-offset.arc: On an arc the radius changes with the end point: the component I, J or K that gives the
+// fanuc.tool-offset.arc: On an arc the radius changes with the end point. The component I, J or K that gives the
 // centre, and both components of the end in the plane, are lengthened alike. The tool's arc begins where the tool
-// stands, has the direction and the sweep of the programmed one, and one radius. An axis out of the plane goes by the
-// rule for straight moves.
+// stands. It has the direction and the sweep of the programmed arc, and one radius. An axis out of the plane goes by
+// the rule for straight moves.
 LengthenedArc ToolOffsetRules::arc(const Command& command, const Numbers& numbers, const Vector& travel,
                                    const Rational& by) const {
   const PlaneLetters in_plane = letters(command.plane);
@@ -72,7 +72,7 @@ LengthenedArc ToolOffsetRules::arc(const Command& command, const Numbers& number
   const Real& across = end[along_first ? 1 : 0];
   const bool allowed = !command.words.has('R') && (first == 0) != (second == 0) && along == Real(radius_word) &&
                        magnitude(across) == Real(magnitude(radius_word));
-  // fanuc.tool-offset.arc-form: Only quarter and three-quarter circles given by I J K are allowed: of the two letters
+  // fanuc.tool-offset.arc-form: Only quarter and three-quarter circles given by I J K are allowed. Of the two letters
   // of the plane exactly one is not zero, its value is the component of the end on its axis, and the other component
   // has the same magnitude. Any other arc, R and full circles included, raises G45_ARC, after the alarms of the arc
   // itself (PS0022, PS0020).
@@ -80,8 +80,8 @@ LengthenedArc ToolOffsetRules::arc(const Command& command, const Numbers& number
 
   recorder_.reach(Clause::fanuc_tool_offset_arc);
   const Rational radius = magnitude(radius_word);
-  // fanuc.tool-offset.arc-radius: A radius made smaller than zero raises PS0038. A radius of exactly zero is an arc
-  // whose ends lie in its centre, without a sweep.
+  // fanuc.tool-offset.arc-radius: If the offset would make the radius smaller than zero, PS0038 is raised. A radius of
+  // exactly zero is an arc whose ends lie in its centre, without a sweep.
   const Sign side =
       recorder_.decide(Clause::fanuc_tool_offset_arc_radius, Real(radius + by), Real(radius + magnitude(by)));
   if (side == Sign::negative) throw Alarm(AlarmCause::arc_ends_in_center);

@@ -37,16 +37,17 @@ void ToolOffset::take_away(AxisMask axes) {
     shift_.at(i) = 0;
     taken = true;
   }
-  // fanuc.tool-offset.machine-position: G53 takes the shift of the axes it names away in its move; G28, G30 and G30.1
-  // reach the intermediate point with it and take it away on the way to the reference position.
+  // fanuc.tool-offset.machine-position: G53 takes away the shift of the axes that it names, in its own move. G28, G30
+  // and G30.1 reach the intermediate point with the shift and take it away on the way to the reference position.
   recorder_.decide(Clause::fanuc_tool_offset_machine_position, taken);
   shifted_ = std::ranges::any_of(shift_, [](const Rational& shift) { return shift != 0; });
 }
 
 Rational ToolOffset::value(const LengthState& length) const {
   const OffsetNumber number = by_length_number_ ? OffsetNumber{length.number, length.number != 0} : offset_.number();
-  // fanuc.tool-offset.number: OFH = 0: TPH = 0 the D number, TPH = 1 the H number, the one of the length offset. OFH =
-  // 1: the number of cutter compensation, which D and H both set (fanuc.cutter.number); TPH means nothing.
+  // fanuc.tool-offset.number: OFH and TPH decide which number counts. With OFH = 0 and TPH = 0 it is the D number, with
+  // OFH = 0 and TPH = 1 it is the H number, the one of the length offset. With OFH = 1 it is the number of cutter
+  // compensation, which D and H both set (fanuc.cutter.number), and TPH means nothing.
   const bool by_h = recorder_.decide(Clause::fanuc_tool_offset_number, number.of_h);
   return by_h ? memory_.h(number.number) : memory_.d(number.number);
 }
@@ -75,14 +76,14 @@ void ToolOffset::apply(const Command& command, const Interpreter& interpreter, c
   const std::array<Rational, spec::kMaxAxes> before = shift_;
   const bool was_shifted = shifted_;
   if (is_tool_offset(command.codes.one_shot)) {
-    // fanuc.tool-offset.number-by-h: With TPH = 1 (and OFH = 0) G45 to G48 are for the time while the length offset is
-    // cancelled: G43 or G44 in force after the codes of the block raises G45_LENGTH_OFFSET, with or without an axis
-    // word.
+    // fanuc.tool-offset.number-by-h: With TPH = 1 (and OFH = 0) G45 to G48 may be used only while the length offset is
+    // cancelled. If G43 or G44 is in force after the codes of the block, they raise G45_LENGTH_OFFSET, with or without
+    // an axis word.
     if (by_length_number_ && length.active)
       raise(recorder_, Clause::fanuc_tool_offset_number_by_h, AlarmCause::tool_offset_length);
     if (command.axes == 0) {
-      // fanuc.tool-offset.without-axis-word: G45 to G48 in a block without an axis word do nothing but store the
-      // number, unless I J K make it a full circle (G45_ARC).
+      // fanuc.tool-offset.without-axis-word: In a block without an axis word G45 to G48 only store the number, unless I
+      // J K make the block a full circle (G45_ARC).
       recorder_.reach(Clause::fanuc_tool_offset_without_axis_word);
       if (!legs.empty() && legs.front().arc) {
         recorder_.decide(Clause::fanuc_tool_offset_arc_form, false);

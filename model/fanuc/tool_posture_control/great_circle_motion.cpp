@@ -104,7 +104,8 @@ Real GreatCircleMotion::swung(const Vector& tool, const Real& along_work_axis) c
 }
 
 // fanuc.tool-posture.lift: The rotary axes follow the great circle without a jump from their actual positions at the
-// start: the tool-side axis on its branch, the work-side axis by the azimuth of the tool less that of the tool side.
+// start. The tool-side axis stays on its branch, and the work-side axis turns by the azimuth of the tool less that of
+// the tool side.
 //
 // ω = ω0 + σ ([az V - az V0] - [az c - az c0]); τ' stands by the angle of C from its extreme.
 Posture GreatCircleMotion::posture(const BranchPart& part, const Vector& tool) const {

@@ -63,9 +63,9 @@ Angle Lift::tilt_swing_of(const LiftStart& start, const Angle& end) const {
 }
 
 // fanuc.tool-posture.lift: The rotary axes follow the great circle without a jump from their actual positions at the
-// start: the tool-side axis on its branch, the work-side axis by the azimuth of the tool less that of the tool side. So
-// the end pair is found, whole turns included, also in type 2; the choice by moving angles is not made. The manual's
-// example of a changed end only fits this reading.
+// start. The tool-side axis stays on its branch, and the work-side axis turns by the azimuth of the tool less that of
+// the tool side. This gives the end pair, whole turns included, also in type 2. The choice by moving angles is not
+// made. The manual's example of a changed end fits no other reading.
 Pose Lift::end(const LiftStart& start, const Way& way, const Pose& pair) const {
   Pose result{tool_at(start, pair.tool), start.pose.work};
   if (way.side == 0 && machine_.is_orthogonal()) return result;

@@ -10,11 +10,11 @@ Angle between(const Angle& start, const Angle& end, const Rational& t) {
   return Angle::known(exact::cos_real_degrees(degrees), exact::sin_real_degrees(degrees), degrees);
 }
 
-// fanuc.tool-center-point.conventional: Conventional control: the rotary axes go each by itself, evenly, from the start
-// pair to the end pair while the tip runs along its path. The manual says that they are not coupled; evenly with the
-// path is our reading.
-// fanuc.tool-posture.passing: A block with a changed end passes the singular posture with the rotary axes running
-// evenly with t, the work side standing. With orthogonal axes this is the great circle to the changed end.
+// fanuc.tool-center-point.conventional: Under conventional control each rotary axis goes by itself, evenly, from the
+// start pair to the end pair, while the tip runs along its path. The manual says that the rotary axes are not coupled.
+// That they go evenly with the path is our reading.
+// fanuc.tool-posture.passing: A block with a changed end passes the singular posture while the rotary axes run evenly
+// with t and the work side stands. With orthogonal axes this is the great circle to the changed end.
 Posture LinearMotion::at(const Rational& t) const {
   const Pose pose{between(start_.tool, end_.tool, t), between(start_.work, end_.work, t)};
   return {pose, frame_->frame.direction(pose)};

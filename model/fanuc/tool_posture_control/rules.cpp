@@ -17,17 +17,17 @@ Real cosine_at_foot(const GreatCircle& arc, const AxisPassed& work_axis) {
 
 }  // namespace
 
-// fanuc.tool-posture.no-plane: Where Vs and Ve are equal or opposite there is no plane: the block runs under
-// conventional control, to the pair of fanuc.tool-center-point.choice (type 2) or the one commanded (type 1). The test
-// is exact. Nothing below is asked then.
+// fanuc.tool-posture.no-plane: If Vs and Ve are equal or opposite, there is no plane, and the block runs under
+// conventional control. It goes to the pair of fanuc.tool-center-point.choice (type 2) or to the one commanded (type
+// 1). The test is exact. The questions of the later clauses are then not asked.
 bool PostureRules::spans_plane(const Direction& from, const Direction& to) const {
   const bool same = known_same(from.vector, to.vector);
   const Real normal2 = same ? Real() : squared_norm(cross(from.vector, to.vector));
   return recorder_.decide(Clause::fanuc_tool_posture_no_plane, normal2, from.norm2 * to.norm2) == Sign::positive;
 }
 
-// fanuc.tool-posture.singular: A posture is singular where the work-side axis may stand anywhere: the tool is parallel
-// to it.
+// fanuc.tool-posture.singular: A posture is singular if the tool is parallel to the work-side axis, so that this axis
+// may stand anywhere.
 //
 // The sine of 19738 by that of the double angle: rational where its square is.
 PostureRules::PostureRules(const spec::Setup& setup, const Machine& machine, Recorder& recorder)
@@ -43,10 +43,10 @@ PostureRules::PostureRules(const spec::Setup& setup, const Machine& machine, Rec
     if (const SingularPosture* const posture = machine.singular(sign)) poles_.push_back({sign, posture->tool});
 }
 
-// fanuc.tool-posture.at-start: Whether the block starts in a singular posture, asked of +u_w, then of -u_w, as far as
-// they exist.
-// fanuc.tool-posture.at-end: Whether the block ends in a singular posture, asked of +u_w, then of -u_w, of a block that
-// does not start in one.
+// fanuc.tool-posture.at-start: The question whether the block starts in a singular posture is asked of +u_w, then of
+// -u_w, as far as they exist.
+// fanuc.tool-posture.at-end: The question whether the block ends in a singular posture is asked of +u_w, then of -u_w,
+// of a block that does not start in one.
 const Pole* PostureRules::pole_along(Clause clause, const Vector& axis, const Direction& direction) const {
   for (const Pole& pole : poles_) {
     if (recorder_.decide(clause, squared_norm(cross(axis, direction.vector)), direction.norm2) == Sign::positive)
@@ -56,32 +56,34 @@ const Pole* PostureRules::pole_along(Clause clause, const Vector& axis, const Di
   return nullptr;
 }
 
-// fanuc.tool-posture.pre-turn: The turn at a singular start is one move of its own right before the block's own move,
-// behind every inserted move that stands there, cause pre-turn, with the feed of the block, rapid where that is rapid,
-// else linear: only the work-side axis turns (X Y Z follow at a standing tip); the programmed end is that of the start
-// of the block, the point is where the tip is (with WKP = 0 the start; with WKP = 1 the tip stands on the table, which
-// turns it), the tool axis stays. It is made only where the position changes.
-// fanuc.tool-posture.post-turn: Type 1, at a singular end: where the position commanded for the work-side axis is
-// another one, it turns there in one move right behind the block's own move, before every inserted move, cause
-// post-turn; the programmed end is that of the block, the point is where the tip is, the tool axis stays (with WKP = 1
-// the end of the path is the point of the table that the turn brings to the programmed place, and the block's own move
-// has for its point where that is before the turn); kind and feed as of the turn before a block.
+// fanuc.tool-posture.pre-turn: The turn at a singular start is a move of its own just before the own move of the block,
+// and after all moves inserted there. Its cause is pre-turn, and it has the feed of the block. It is rapid if the block
+// is rapid, otherwise linear. Only the work-side axis turns, and X Y Z follow while the tip stands. The programmed end
+// is that of the start of the block, the point is where the tip is, and the tool axis stays. With WKP = 0 the tip is at
+// the start; with WKP = 1 it stands on the table, which turns it. The move is made only if the position changes.
+// fanuc.tool-posture.post-turn: In type 1, at a singular end, the work-side axis turns to its commanded position if
+// that differs from the one that it has reached. It turns in one move just after the own move of the block, before
+// every inserted move, and the cause is post-turn. The programmed end is that of the block, the point is where the tip
+// is, and the tool axis stays. With WKP = 1 the path ends at the point of the table that the turn brings to the
+// programmed place, and the point of the block's own move is where that point is before the turn. Kind and feed are
+// those of fanuc.tool-posture.pre-turn.
 bool PostureRules::turns(Clause clause, const Angle& to, const Angle& from) const {
   return recorder_.decide(clause, order(to, from), 1) != Sign::zero;
 }
 
-// fanuc.tool-posture.branch: The branch is the sign with which the tool-side angle stands beside the one at which the
-// tool is nearest to u_w: it is kept through the block, also where the edge of reach is touched inside. At a start on
-// the edge of reach that is not singular there is none: the branch is the one toward the pair of
-// fanuc.tool-center-point.choice (type 1: the pair commanded), whatever the end is, a singular posture or the other
-// edge too; where that pair lies on the same edge, the one above that angle. Not asked at a singular start.
+// fanuc.tool-posture.branch: The branch is the side on which the tool-side angle lies, seen from the angle at which the
+// tool is nearest to u_w, given as a sign. It is kept through the block, even if the edge of reach is touched inside. A
+// start on the edge of reach that is not singular has no branch. Then the branch is the one toward the pair of
+// fanuc.tool-center-point.choice (type 1: toward the pair commanded), whatever the end is, a singular posture or the
+// other edge included. If that pair is on the same edge, the branch is the one above the angle nearest to u_w. Not
+// asked at a singular start.
 Sign PostureRules::branch(const Angle& tool) const {
   return -recorder_.decide(Clause::fanuc_tool_posture_branch, -branch_quantity(machine_, tool), 2);
 }
 
-// fanuc.tool-posture.crossing: Where the great circle goes through a singular posture exactly, inside the block, the
-// posture at the end is not changed. Asked of +u_w, then of -u_w, of a block that neither starts nor ends in one; then
-// of fanuc.tool-posture.foot-behind-the-start and -foot-before-the-end.
+// fanuc.tool-posture.crossing: If the great circle goes exactly through a singular posture inside the block, the
+// posture at the end is not changed. Asked of +u_w, then of -u_w, of a block that neither starts nor ends in a singular
+// posture; then fanuc.tool-posture.foot-behind-the-start and -foot-before-the-end are asked.
 Passing PostureRules::passing(const GreatCircle& arc, const AxisPassed& work_axis) const {
   Passing result;
   result.side = static_cast<int>(work_axis.side.sign());
@@ -96,10 +98,10 @@ Passing PostureRules::passing(const GreatCircle& arc, const AxisPassed& work_axi
   return result;
 }
 
-// fanuc.tool-posture.foot-behind-the-start: Whether the foot of s on the great circle, or s itself where it lies in the
-// plane, comes behind the start of the arc.
-// fanuc.tool-posture.foot-before-the-end: Whether the foot of s comes before the end of the arc. Asked behind
-// fanuc.tool-posture.foot-behind-the-start where that holds: both together mean inside.
+// fanuc.tool-posture.foot-behind-the-start: The question is whether the foot of s on the great circle, or s itself if
+// it lies in the plane, comes after the start of the arc.
+// fanuc.tool-posture.foot-before-the-end: The question is whether the foot of s comes before the end of the arc. It is
+// asked after fanuc.tool-posture.foot-behind-the-start, if that holds. Both together mean inside the arc.
 bool PostureRules::has_foot_inside(const GreatCircle& arc, const AxisPassed& work_axis, int sign) const {
   const Direction& from = arc.from();
   const Direction& to = arc.to();
@@ -109,9 +111,10 @@ bool PostureRules::has_foot_inside(const GreatCircle& arc, const AxisPassed& wor
                           sqrt(from.norm2) * to.norm2) != Sign::negative;
 }
 
-// fanuc.tool-posture.reach-inside: A great circle that leaves the directions that can be reached raises PS5459, type 1
-// included. Asked at the point of the arc nearest to u_w, where its foot lies inside and alpha differs from beta, and
-// at the farthest, where the foot of -u_w lies inside and alpha + beta differs from 180; the ends are reached.
+// fanuc.tool-posture.reach-inside: A great circle that leaves the directions that can be reached raises PS5459, in type
+// 1 too. Asked at the point of the arc nearest to u_w, if the foot of u_w lies inside and alpha differs from beta.
+// Asked at the farthest point, if the foot of -u_w lies inside and alpha + beta differs from 180. The ends are always
+// in reach.
 void PostureRules::require_reach_inside(const GreatCircle& arc, const AxisPassed& work_axis) const {
   const Machine::Heights& heights = machine_.heights();
   for (const int sign : {1, -1}) {
@@ -123,25 +126,26 @@ void PostureRules::require_reach_inside(const GreatCircle& arc, const AxisPassed
   }
 }
 
-// fanuc.tool-posture.branch-mismatch: Where the end pair found along the great circle is not the one that has to be
-// reached the block runs under conventional control, with the warning posture-branch right before its own move and the
-// samples of that, behind every inserted move that stands there and behind ARC_PLANE_MISMATCH. Type 1: the pair is not
-// the one commanded, by whole turns or by the branch (at a singular end: the tool side is not; then there is no turn
-// behind the block). A singular start, both types: followed back the tool-side axis does not come to its position at
-// the start; then there is no turn before the block. Type 2 otherwise never asks. The other vendor raises an alarm.
+// fanuc.tool-posture.branch-mismatch: If the end pair found along the great circle is not the one that has to be
+// reached, the block runs under conventional control, with the warning posture-branch. The warning comes just before
+// the own move of the block and the samples of that move, after every inserted move there and after ARC_PLANE_MISMATCH.
+// In type 1 this is so if the pair is not the one commanded, by whole turns or by the branch. At a singular end it is
+// so if the tool side is not the one commanded, and then there is no turn after the block. At a singular start, in both
+// types, it is so if the tool-side axis, followed back, does not come to its position at the start; then there is no
+// turn before the block. Otherwise type 2 never asks. The other vendor raises an alarm.
 bool PostureRules::is_mismatch(bool differs) const {
   return recorder_.decide(Clause::fanuc_tool_posture_branch_mismatch, differs);
 }
 
 // fanuc.tool-posture.near-limit: 19738 is the angle, in degrees, under which a posture is near a singular one. It
-// counts in type 2 only; at 0 or below, or not given, no end posture is changed, nor does NPC raise an alarm.
+// counts in type 2 only. If it is 0, negative or not given, no end posture is changed, and NPC raises no alarm.
 bool PostureRules::looks(bool type_2) const {
   return recorder_.decide(Clause::fanuc_tool_posture_near_limit, type_2 && limit_ > 0);
 }
 
-// fanuc.tool-posture.nearer-singular: Where both +u_w and -u_w exist the one nearer to the great circle between the
-// ends counts, +u_w where they are equally near. Its distance d is that of the foot where that lies inside, else that
-// of the nearer end.
+// fanuc.tool-posture.nearer-singular: If both +u_w and -u_w exist, the one that is nearer to the great circle between
+// the ends counts, and +u_w if they are equally near. Its distance d is that of its foot if the foot lies inside,
+// otherwise that of the nearer end.
 PostureRules::Distance PostureRules::distance(const GreatCircle& arc, const AxisPassed& work_axis, int sign) const {
   if (has_foot_inside(arc, work_axis, sign)) return {true, cosine_at_foot(arc, work_axis)};
   const Real at_start = sign * work_axis.cosine_from;
@@ -149,9 +153,9 @@ PostureRules::Distance PostureRules::distance(const GreatCircle& arc, const Axis
   return {false, at_start < at_end ? at_end : at_start};
 }
 
-// fanuc.tool-posture.near: Type 2: a block that neither starts nor ends in a singular posture nor crosses one exactly
-// is near one where d is strictly smaller than 19738. Above 90 degrees of 19738 d is compared all the same, as an angle
-// from 0 to 180.
+// fanuc.tool-posture.near: In type 2 a block is near a singular posture if d is strictly smaller than 19738. This
+// concerns only blocks that neither start nor end in a singular posture nor cross one exactly. If 19738 is above 90
+// degrees, d is compared all the same, as an angle from 0 to 180.
 const Pole* PostureRules::near(const GreatCircle& arc, const AxisPassed& work_axis) const {
   if (poles_.empty()) return nullptr;
   const Pole* pole = &poles_.front();
@@ -174,25 +178,25 @@ const Pole* PostureRules::near(const GreatCircle& arc, const AxisPassed& work_ax
   return is_near ? pole : nullptr;
 }
 
-// fanuc.tool-posture.veto: The end posture is not changed where the work-side position would differ by more than 19739
-// from the one it replaces, seen with the tool side turned over. We read the difference as the smallest one modulo 360.
-// Below 0 the limit always vetoes, from 180 on never; not given it is 0.
+// fanuc.tool-posture.veto: The end posture is not changed if the work-side position would differ by more than 19739
+// from the one that it replaces, seen with the tool side turned over. We read the difference as the smallest one modulo
+// 360. A limit below 0 always vetoes, a limit of 180 or more never does. If 19739 is not given, it is 0.
 bool PostureRules::may_stand(const Angle& turned) const {
   if (veto_ < 0) return false;
   if (veto_ >= 180) return true;
   return recorder_.decide(Clause::fanuc_tool_posture_veto, -turned.cosine() - veto_cosine_, 2) != Sign::negative;
 }
 
-// fanuc.tool-posture.changed: The changed end: the tool side is mirrored at the singular position, the work side stays
-// where it was at the start. The end of the tip does not change. Both have to be in range
-// (fanuc.tool-center-point.range), else it is refused. The next block starts from this pair, and its direction is the
-// one kept.
+// fanuc.tool-posture.changed: At a changed end the tool side is mirrored at the singular position, and the work side
+// stays where it was at the start. The end of the tip does not change. Both positions must be in range
+// (fanuc.tool-center-point.range), otherwise the change is refused. The next block starts from this pair, and the
+// direction of this pair is the one kept.
 Pose PostureRules::changed(const Pose& start, const Pose& end, const Angle& singular) {
   return {singular + (singular - end.tool), start.work};
 }
 
-// fanuc.tool-posture.refused: 19696 bit 3, NPC: where a block is near a singular posture and its end is not changed, by
-// the veto or by the range, 1 raises PS5421, 0 runs it as it is.
+// fanuc.tool-posture.refused: NPC (19696#3) decides about a block that is near a singular posture and whose end is not
+// changed, because of the veto or the range. With NPC = 1 the block raises PS5421, with NPC = 0 it runs as it is.
 void PostureRules::keep_end() const {
   if (recorder_.decide(Clause::fanuc_tool_posture_refused, refuses_)) throw Alarm(AlarmCause::singular_posture);
 }

@@ -86,10 +86,10 @@ ToolPostureControl::Ends ToolPostureControl::ends(const SharedFrame& frame, cons
   return {std::move(view), std::move(from), std::move(to)};
 }
 
-// fanuc.tool-posture.order: The questions of a block with P1 in their order: no-plane; at-start of +u_w, -u_w; at-end
-// of +u_w, -u_w; branch; crossing of +u_w, -u_w, each with its foot; reach-inside; the end pair; branch-mismatch;
-// near-limit; nearer-singular; near; veto and range of the changed pair; range of the end pair. The pair of
-// fanuc.tool-center-point.choice, where one is needed, is found before the branch; in type 2 the reach of Ve is asked
+// fanuc.tool-posture.order: The questions of a block with P1 have a fixed order. They are: no-plane; at-start of +u_w,
+// -u_w; at-end of +u_w, -u_w; branch; crossing of +u_w, -u_w, each with its foot; reach-inside; the end pair;
+// branch-mismatch; near-limit; nearer-singular; near; veto and range of the changed pair; range of the end pair. If the
+// pair of fanuc.tool-center-point.choice is needed, it is found before the branch. In type 2 the reach of Ve is asked
 // before all of them.
 PosturePlan ToolPostureControl::plan(const SharedFrame& frame, const PostureBlock& block) const {
   Solutions solutions;

@@ -48,7 +48,7 @@ bool HeldSidePath::line_interferes(Recorder& recorder, const Vector& from, const
   const Real along = dot(plane.along(travel), travel + (to - from));
   const Real length = sqrt(squared_norm(travel));
   const Real scale = plane.tool().norm2 * length * (length + sqrt(squared_norm(from)) + sqrt(squared_norm(to)));
-  // fanuc.cutter-c.interference-direction: A straight block interferes where the tool's direction differs from the
+  // fanuc.cutter-c.interference-direction: A straight block interferes if the tool's direction differs from the
   // programmed one by more than 90 degrees. Exactly 90 degrees, and a tool that does not move, are no interference
   // (ours).
   return recorder.decide(Clause::fanuc_cutter_c_interference_direction, along, scale) == Sign::negative;

@@ -22,16 +22,17 @@ Real LineCorner::scale_ahead() const {
 }
 
 CornerClass LineCorner::classify() const {
-  // fanuc.tool-side.corner-side: The angle between two lines on the side of the workpiece, in the compensation plane,
-  // over 180 degrees: inner; up to 180: outer. 180 degrees itself belongs to the inner corners.
+  // fanuc.tool-side.corner-side: A corner of two lines is inner if their angle on the side of the workpiece, in the
+  // compensation plane, is over 180 degrees, and outer if it is under 180 degrees. Exactly 180 degrees is inner.
   const Sign side =
       recorder_.decide(Clause::fanuc_tool_side_corner_side, former_.offset > 0 ? turn_ : -turn_, scale_of_turn());
   if (side == Sign::positive) return CornerClass::inner;
   const bool parallel = side == Sign::zero;
-  // fanuc.tool-side.straight-or-reversal: With S = 0: B straight on is an inner corner of 180 degrees; B straight back
-  // is an outer acute corner of 0 degrees, the tool goes round the end.
+  // fanuc.tool-side.straight-or-reversal: If S = 0 (fanuc.tool-side.corner-side) and B goes straight on, the corner is
+  // an inner corner of 180 degrees. If B goes straight back, it is an outer acute corner of 0 degrees, and the tool
+  // goes round the end.
   // fanuc.tool-side.obtuse-or-acute: An outer corner of two lines is obtuse from 90 degrees on and acute below, in the
-  // compensation plane. To which of them 90 degrees belongs makes no difference to the path.
+  // compensation plane. To which class 90 degrees belongs makes no difference to the path.
   const Clause clause =
       parallel ? Clause::fanuc_tool_side_straight_or_reversal : Clause::fanuc_tool_side_obtuse_or_acute;
   const Sign ahead = recorder_.decide(clause, ahead_, scale_ahead());
@@ -40,8 +41,9 @@ CornerClass LineCorner::classify() const {
 }
 
 bool LineCorner::is_parallel() const {
-  // fanuc.cutter-c.direction-change-parallel: Parallel tangents count as without intersection: straight on and straight
-  // back, lines and arcs, also where the offset circles would meet. Straight back both perpendicular vectors are one.
+  // fanuc.cutter-c.direction-change-parallel: At a change of direction, paths with parallel tangents count as paths
+  // without intersection. This holds straight on and straight back, for lines and arcs, even if the offset circles
+  // would meet. If B goes straight back, the two perpendicular vectors are the same.
   return recorder_.decide(Clause::fanuc_cutter_c_direction_change_parallel, turn_, scale_of_turn()) == Sign::zero;
 }
 

@@ -75,13 +75,13 @@ ToolSideCompensation::Movement ToolSideCompensation::movement_of(const Step& now
 bool ToolSideCompensation::crosses_tool(const CompensationPlane& plane, const SideEnd& line) const {
   const Real& norm2 = plane.tool().norm2;
   const Real travel2 = squared_norm(line.travel);
-  // fanuc.tool-side.along-the-tool: Without a limit (19630 zero, negative or not given) a block moves where its
+  // fanuc.tool-side.along-the-tool: Without a limit (19630 is zero, negative or not given), a block moves if its
   // displacement is neither zero nor parallel to the tool.
   if (limit_ <= 0)
     return crosses(recorder().decide(Clause::fanuc_tool_side_along_the_tool, line.left2, norm2 * travel2), line.left2);
   const Rational limit2 = limit_ * limit_;
-  // fanuc.tool-side.no-movement-limit: With 19630 positive (setup units) a block whose ends differ by less than it in
-  // the compensation plane counts as one that does not move.
+  // fanuc.tool-side.no-movement-limit: With 19630 positive (in setup units), a block whose ends differ by less than
+  // 19630 in the compensation plane counts as one that does not move.
   const Sign decided = recorder().decide(Clause::fanuc_tool_side_no_movement_limit, line.left2 - limit2 * norm2,
                                          norm2 * (travel2 + limit2));
   return decided != Sign::negative && crosses(Sign::positive, line.left2);
@@ -106,18 +106,17 @@ int ToolSideCompensation::sense(const Direction& tool, spec::Plane plane) const 
 }
 
 bool ToolSideCompensation::leans(const Direction& tool, spec::Plane plane) const {
-  // fanuc.tool-side.arc-plane-mismatch: The manual only says that the plane has to fit. An arc in the mode of which VT
-  // at the end of the block before it, or at its own end, is not at right angles to the plane selected gives the
-  // warning ARC_PLANE_MISMATCH, once a block, right before the first move that belongs to the block; it runs as
-  // computed.
+  // fanuc.tool-side.arc-plane-mismatch: An arc in the mode gives the warning ARC_PLANE_MISMATCH if VT at the end of the
+  // block before it, or at its own end, is not at right angles to the plane selected. The warning comes once a block,
+  // right before the first move that belongs to the block; the arc runs as computed.
   return recorder().decide(Clause::fanuc_tool_side_arc_plane_mismatch, squared_norm(in_plane_of(plane, tool.vector)),
                            tool.norm2) != Sign::zero;
 }
 
 void ToolSideCompensation::look_at_arc(Step& now, Movement& movement) {
-  // fanuc.tool-side.arc: Start, end and centre of an arc, of a helix too, are projected to the compensation plane, and
-  // the vector found there is added to the programmed point; the machine then runs the arc in the plane selected by
-  // G17, G18 or G19.
+  // fanuc.tool-side.arc: The start, end and centre of an arc, also of a helix, are projected onto the compensation
+  // plane, and the vector found there is added to the programmed point. The machine then runs the arc in the plane
+  // selected by G17, G18 or G19.
   recorder().reach(Clause::fanuc_tool_side_arc);
   constexpr const char* kOnEdge = "an arc whose plane holds the tool";
   SideArc& arc = *movement.path.arc;

@@ -34,28 +34,29 @@ bool PlaneChangeCheck::turns_far(const Direction& former, const Direction& latte
       both_positive || both_negative ? (cosine2_ * norms2 - square(product)).sign() == Sign::zero : false;
   const Real scale = sqrt(norms2);
   const Real quantity = equal ? Real(0) : cosine_ * scale - product;
-  // fanuc.tool-side.plane-change-angle: First condition: between Va, the tool direction at the end of A, and Vb, that
-  // at the end of B, lies the limit angle or more.
+  // fanuc.tool-side.plane-change-angle: The first condition of the plane change check is that Va, the tool direction at
+  // the end of A, and Vb, the tool direction at the end of B, differ by the limit angle or more.
   return recorder_.decide(Clause::fanuc_tool_side_plane_change_angle, quantity, scale) != Sign::negative;
 }
 
 bool PlaneChangeCheck::interferes(const TurningBlock& former, const TurningBlock& latter) const {
-  // fanuc.tool-side.plane-change-check: 19605 bit 5, NIC: 0 checks for interference where the compensation plane
-  // changes, 1 does not.
+  // fanuc.tool-side.plane-change-check: 19605 bit 5, NIC, switches the interference check where the compensation plane
+  // changes: 0 checks, 1 does not.
   if (!recorder_.decide(Clause::fanuc_tool_side_plane_change_check, checks_)) return false;
   if (!turns_far(former.tool, latter.tool)) return false;
   const Vector wa = cross(former.tool.vector, former.travel);
   const Vector wb = cross(latter.tool.vector, latter.travel);
   const Real travels = sqrt(squared_norm(former.travel) * squared_norm(latter.travel));
-  // fanuc.tool-side.plane-change-side: Second condition, asked where the first holds: the directions Wa = Va x Ua and
-  // Wb = Vb x Ub, with Ua and Ub the displacements of A and B from start to end (of arcs too), do not point against
-  // each other.
+  // fanuc.tool-side.plane-change-side: The second condition of the plane change check, asked if the first holds, is
+  // that the directions Wa = Va x Ua and Wb = Vb x Ub do not point against each other. Ua and Ub are the displacements
+  // of A and B from start to end, also of arcs.
   const Sign side = recorder_.decide(Clause::fanuc_tool_side_plane_change_side, dot(wa, wb),
                                      sqrt(former.tool.norm2 * latter.tool.norm2) * travels);
   if (side == Sign::negative) return false;
   const Real along = dot(wa, cross(former.tool.vector, latter.travel));
-  // fanuc.tool-side.plane-change-reversal: Third condition, asked where the first two hold: Ra and Rb, the projections
-  // of Ua and Ub to the plane perpendicular to Va, point against each other.
+  // fanuc.tool-side.plane-change-reversal: The third condition of the plane change check, asked if the first two hold,
+  // is that Ra and Rb point against each other. Ra and Rb are the projections of Ua and Ub onto the plane perpendicular
+  // to Va.
   return recorder_.decide(Clause::fanuc_tool_side_plane_change_reversal, -along, former.tool.norm2 * travels) ==
          Sign::positive;
 }

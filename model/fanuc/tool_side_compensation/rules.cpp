@@ -6,8 +6,8 @@
 #include "model/basis/number.h"
 
 namespace toolcomp::model {
-// fanuc.cutter-c.value-zero: Where r = 0 the group is the vector zero alone, whatever the corner and No. 5010: no
-// corner moves before an arc of 180 degrees or more either.
+// fanuc.cutter-c.value-zero: If r = 0, the group is the zero vector alone, whatever the corner and No. 5010. There are
+// then no corner moves, not even before an arc of 180 degrees or more.
 SpaceGroup SideRules::square_to(const CompensationPlane& plane, const SideEnd& former) const {
   if (former.offset != 0) return {{perpendicular(plane, former), Seat::square, Seat::off, false}};
   recorder_.reach(Clause::fanuc_cutter_c_value_zero);
@@ -15,10 +15,10 @@ SpaceGroup SideRules::square_to(const CompensationPlane& plane, const SideEnd& f
 }
 
 // fanuc.tool-side.plane: The vectors at the end of a block lie in the plane perpendicular to the tool direction there,
-// also where the rotary axes turn in that block or in the next one: both blocks of a corner are seen in the plane at
-// the end of the first.
+// even if the rotary axes turn in that block or in the next one. Both blocks of a corner are seen in the plane at the
+// end of the first block.
 // fanuc.tool-side.stop-point: Corner moves before the single-block stop point S run at the feed of the block before,
-// those behind it at that of the next. S is the head of Vi, or of K1 (ours).
+// corner moves after S at the feed of the next block. S is the head of Vi, or of K1 (ours).
 SpaceGroup SideRules::in_plane(SpaceGroup group) const {
   recorder_.reach(Clause::fanuc_tool_side_plane);
   for (std::size_t i = 1; i < group.size(); ++i)
@@ -57,7 +57,7 @@ std::optional<SideGroup> SideRules::in_mode(const SideCorner& corner) const {
   return way_round(kind, lines, false, false);
 }
 
-// fanuc.tool-side.type-b: No. 5003 bit 0, SUP: 0 type A, 1 type B.
+// fanuc.tool-side.type-b: No. 5003 bit 0, SUP, chooses the type: 0 is type A, 1 is type B.
 SideRules::SideRules(const spec::Setup& setup, Recorder& recorder)
     : recorder_(recorder),
       plane_rules_(recorder),
@@ -65,7 +65,7 @@ SideRules::SideRules(const spec::Setup& setup, Recorder& recorder)
       with_perpendicular_(!setup.type_b_without_perpendicular),
       limit_(setup.parameter(5010) ? plain(*setup.parameter(5010)) : Rational(0)) {}
 
-// fanuc.tool-side.type-b: No. 5003 bit 0, SUP: 0 type A, 1 type B.
+// fanuc.tool-side.type-b: No. 5003 bit 0, SUP, chooses the type: 0 is type A, 1 is type B.
 std::optional<SideGroup> SideRules::detour(const SideCorner& corner, bool cancels) const {
   if (!recorder_.decide(Clause::fanuc_tool_side_type_b, type_b_)) return std::nullopt;
   std::optional<FramedCorner> framed;
@@ -78,32 +78,32 @@ std::optional<SideGroup> SideRules::detour(const SideCorner& corner, bool cancel
     framed.emplace(corner);
     kind = classify(recorder_, framed->former(), framed->latter());
   }
-  // fanuc.tool-side.start-up-inner: Type B at an inner corner, straight on included: the vector perpendicular to the
-  // next block.
-  // fanuc.tool-side.cancel-inner: Type B at an inner corner, straight on included: the vector perpendicular to the last
-  // compensated block.
+  // fanuc.tool-side.start-up-inner: At a start-up of type B with an inner corner, straight on included, the group is
+  // the vector perpendicular to the next block.
+  // fanuc.tool-side.cancel-inner: At a cancel of type B with an inner corner, straight on included, the group is the
+  // vector perpendicular to the last compensated block.
   if (kind == CornerClass::inner || kind == CornerClass::straight) {
     recorder_.reach(cancels ? Clause::fanuc_tool_side_cancel_inner : Clause::fanuc_tool_side_start_up_inner);
     return std::nullopt;
   }
-  // fanuc.tool-side.start-up-obtuse: Type B at an obtuse outer corner: the vector perpendicular to the start-up block
-  // (fanuc.tool-side.type-b-perpendicular), the intersection, and before an arc its perpendicular vector.
-  // fanuc.tool-side.start-up-acute: Type B at an acute outer corner (two lines: from 1 degree on,
-  // fanuc.cutter-c.under-one-degree; below it the vector perpendicular to the next block alone): the vector
-  // perpendicular to the start-up block (fanuc.tool-side.type-b-perpendicular), the two of an acute corner, and before
-  // an arc its perpendicular vector.
-  // fanuc.tool-side.cancel-obtuse: Type B at an obtuse outer corner: the intersection and the vector perpendicular to
-  // the cancel block (fanuc.tool-side.type-b-perpendicular), behind an arc its perpendicular vector first.
-  // fanuc.tool-side.cancel-acute: Type B at an acute outer corner (two lines: from 1 degree on,
-  // fanuc.cutter-c.under-one-degree; below it the vector perpendicular to the last compensated block alone): the two
-  // vectors of an acute corner and the one perpendicular to the cancel block (fanuc.tool-side.type-b-perpendicular),
-  // behind an arc its perpendicular vector first.
+  // fanuc.tool-side.start-up-obtuse: At a start-up of type B with an obtuse outer corner, the group is the vector
+  // perpendicular to the start-up block (fanuc.tool-side.type-b-perpendicular), then the intersection. If B is an arc,
+  // its perpendicular vector follows.
+  // fanuc.tool-side.start-up-acute: At a start-up of type B with an acute outer corner, the group is the vector
+  // perpendicular to the start-up block (fanuc.tool-side.type-b-perpendicular), then the two vectors of an acute
+  // corner. If B is an arc, its perpendicular vector follows.
+  // fanuc.tool-side.cancel-obtuse: At a cancel of type B with an obtuse outer corner, the group is the intersection,
+  // then the vector perpendicular to the cancel block (fanuc.tool-side.type-b-perpendicular). If A is an arc, its
+  // perpendicular vector comes first.
+  // fanuc.tool-side.cancel-acute: At a cancel of type B with an acute outer corner, the group is the two vectors of an
+  // acute corner, then the vector perpendicular to the cancel block (fanuc.tool-side.type-b-perpendicular). If A is an
+  // arc, its perpendicular vector comes first.
   if (kind == CornerClass::obtuse)
     recorder_.reach(cancels ? Clause::fanuc_tool_side_cancel_obtuse : Clause::fanuc_tool_side_start_up_obtuse);
   else
     recorder_.reach(cancels ? Clause::fanuc_tool_side_cancel_acute : Clause::fanuc_tool_side_start_up_acute);
-  // fanuc.tool-side.type-b-perpendicular: Type B at an outer corner, start-up and cancel: the vector perpendicular to
-  // the start-up or cancel block is made, as in chapter 14.
+  // fanuc.tool-side.type-b-perpendicular: At a start-up or cancel of type B with an outer corner, the vector
+  // perpendicular to the start-up or cancel block is made, as in chapter 14.
   const bool own = recorder_.decide(Clause::fanuc_tool_side_type_b_perpendicular, with_perpendicular_);
   const bool with_former = cancels ? corner.former.arc.has_value() : own;
   const bool with_latter = cancels ? own : corner.latter.arc.has_value();
@@ -111,41 +111,41 @@ std::optional<SideGroup> SideRules::detour(const SideCorner& corner, bool cancel
   return framed->lifted(model::way_round(kind, framed->former(), framed->latter(), with_former, with_latter));
 }
 
-// fanuc.tool-side.start-up-inner: Type B at an inner corner, straight on included: the vector perpendicular to the next
-// block.
+// fanuc.tool-side.start-up-inner: At a start-up of type B with an inner corner, straight on included, the group is the
+// vector perpendicular to the next block.
 SideGroup SideRules::start_up(const SideCorner& corner) const {
   const auto group = detour(corner, false);
   return group ? *group : square_to_latter(corner.plane, corner.latter);
 }
 
-// fanuc.tool-side.cancel-inner: Type B at an inner corner, straight on included: the vector perpendicular to the last
-// compensated block.
+// fanuc.tool-side.cancel-inner: At a cancel of type B with an inner corner, straight on included, the group is the
+// vector perpendicular to the last compensated block.
 SideGroup SideRules::cancel(const SideCorner& corner) const {
   const auto group = detour(corner, true);
   return group ? *group : square_to(corner.plane, corner.former);
 }
 
-// fanuc.tool-side.which-rule: The group between A and B is made by the first rule that applies: r = 0
+// fanuc.tool-side.which-rule: The group between A and B is made by the first of these rules that applies: r = 0
 // (fanuc.cutter-c.value-zero); an alarm of fanuc.cutter-c.direction-change-at-start-up; Q1 of A; change of side;
 // repeated code; start-up block followed by the cancel block; cancel; start-up; corner of the mode, then Q2 of A.
 std::optional<SideGroup> SideRules::by_first_rule(const SideCorner& corner, const SideCase& given) const {
   if (corner.former.offset == 0) return square_to(corner.plane, corner.former);
-  // fanuc.tool-side.q1: Q1 in block A: the vector at its end is the one perpendicular to A, whether an interference is
-  // found or not, at a change of side too.
+  // fanuc.tool-side.q1: With Q1 in block A, the vector at its end is the one perpendicular to A, whether an
+  // interference is found or not, even at a change of side.
   if (given.treatment == 1) {
     recorder_.reach(Clause::fanuc_tool_side_q1);
     return square_to(corner.plane, corner.former);
   }
-  // fanuc.cutter-c.direction-change: Where the side changes from A to B (G41 to G42 or back, or the sign of the value)
-  // inner and outer are not told apart: with an intersection of A's offset path and B's the group is its vector,
-  // without one it is the vector perpendicular to B.
+  // fanuc.cutter-c.direction-change: If the side changes from A to B (G41 to G42 or back, or the sign of the value),
+  // inner and outer corners are not told apart. If the offset paths of A and B have an intersection, the group is the
+  // vector to it; if not, it is the vector perpendicular to B.
   if (!given.cancels && recorder_.decide(Clause::fanuc_cutter_c_direction_change, given.side_changes))
     return side_change(corner);
-  // fanuc.tool-side.repeated: A word equal to the code in force before it, in block B or in a block between A and B
-  // (one with a corner of its own too), gives the vector perpendicular to A, inner and outer alike; B starts from it. A
-  // may be the start-up block, B the cancel block. It does not concern the block right after a start of type C.
-  // fanuc.tool-side.start-then-cancel: Where B of a start-up block of type A or B is the cancel block the start-up
-  // block ends with the vector perpendicular to it, whatever the type.
+  // fanuc.tool-side.repeated: If block B, or a block between A and B (also one with a corner of its own), has a word
+  // equal to the code in force before it, the group is the vector perpendicular to A, at inner and outer corners alike.
+  // B starts from that vector.
+  // fanuc.tool-side.start-then-cancel: If B of a start-up block of type A or B is the cancel block, the group at the
+  // end of the start-up block is the vector perpendicular to the start-up block, whatever the type.
   if (given.repeated || (given.starts && given.cancels)) {
     recorder_.reach(given.repeated ? Clause::fanuc_tool_side_repeated : Clause::fanuc_tool_side_start_then_cancel);
     return square_to(corner.plane, corner.former);
@@ -153,32 +153,32 @@ std::optional<SideGroup> SideRules::by_first_rule(const SideCorner& corner, cons
   if (given.cancels) return cancel(corner);
   if (given.starts) return start_up(corner);
   std::optional<SideGroup> group = in_mode(corner);
-  // fanuc.tool-side.q2: Q2 in block A: of the two vectors between two lines the second is deleted.
+  // fanuc.tool-side.q2: With Q2 in block A, the second of the two vectors between two lines is deleted.
   if (group && given.treatment == 2 &&
       recorder_.decide(Clause::fanuc_tool_side_q2, corner.of_lines() && group->vectors.size() == 2))
     group->vectors.pop_back();
   return group;
 }
 
-// fanuc.tool-side.which-rule: The group between A and B is made by the first rule that applies: r = 0
+// fanuc.tool-side.which-rule: The group between A and B is made by the first of these rules that applies: r = 0
 // (fanuc.cutter-c.value-zero); an alarm of fanuc.cutter-c.direction-change-at-start-up; Q1 of A; change of side;
 // repeated code; start-up block followed by the cancel block; cancel; start-up; corner of the mode, then Q2 of A. Then
-// vectors are omitted (fanuc.tool-side.small-difference), then A is checked: plane change (not where r = 0), then
-// interference.
+// vectors are dropped (fanuc.tool-side.small-difference). Then A is checked, first for a plane change (not if r = 0),
+// then for interference.
 std::optional<SpaceGroup> SideRules::group(const SideCorner& corner, const SideCase& given) const {
   std::optional<SideGroup> group = by_first_rule(corner, given);
   if (!group || corner.former.offset == 0) return group ? std::optional(std::move(group->vectors)) : std::nullopt;
-  // fanuc.tool-side.q3: Q3 in block A: all vectors are kept, and there is no alarm of
-  // fanuc.tool-side.plane-change-alarm; nor is there with Q1 or Q2.
+  // fanuc.tool-side.q3: With Q3 in block A, all vectors are kept, and the alarm of fanuc.tool-side.plane-change-alarm
+  // is not raised. It is not raised with Q1 or Q2 either.
   if (given.treatment == 3) recorder_.reach(Clause::fanuc_tool_side_q3);
   drop_small_differences(*group, given);
   return std::move(group->vectors);
 }
 
-// fanuc.tool-side.side-change: The side may change without G40, by the code or by the sign of the value, as in cutter
-// compensation C in the compensation plane: fanuc.cutter-c.direction-change and its clauses on lines, parallel
-// tangents, arcs and paths that do not meet. Lines that are not parallel in the plane have the intersection of A's
-// offset line and B's; parallel ones the vector perpendicular to B.
+// fanuc.tool-side.side-change: The side may change without G40, by the code or by the sign of the value. This is as in
+// cutter compensation C, in the compensation plane: fanuc.cutter-c.direction-change and its clauses on lines, parallel
+// tangents, arcs and paths that do not meet. For lines that are not parallel in the plane, the group is the
+// intersection of A's offset line and B's; for parallel lines it is the vector perpendicular to B.
 SideGroup SideRules::side_change(const SideCorner& corner) const {
   if (!corner.of_lines()) {
     const FramedCorner framed(corner);
@@ -186,8 +186,8 @@ SideGroup SideRules::side_change(const SideCorner& corner) const {
   }
   const LineCorner lines(recorder_, corner.plane, corner.former, corner.latter);
   if (lines.is_parallel()) {
-    // fanuc.cutter-c.direction-change-without-intersection: Without intersection (parallel tangents, R' < 0, paths that
-    // do not meet) the group is the vector perpendicular to B at its start; there is no PS0033.
+    // fanuc.cutter-c.direction-change-without-intersection: At a change of direction without intersection (parallel
+    // tangents, R' < 0, or paths that do not meet), the group is the vector perpendicular to B at its start.
     recorder_.reach(Clause::fanuc_cutter_c_direction_change_without_intersection);
     return square_to_latter(corner.plane, corner.latter);
   }
@@ -196,9 +196,10 @@ SideGroup SideRules::side_change(const SideCorner& corner) const {
   return one(lines.meeting_across());
 }
 
-// fanuc.tool-side.small-difference: No. 5010 (setup units, 0 where not given, nothing is dropped where it is negative),
-// read as a distance: going along a group, start-up and cancel included, a vector that differs from the last one kept
-// by no more than the limit is dropped; the first always stays.
+// fanuc.tool-side.small-difference: A vector of a group is dropped if its distance from the last vector kept is no more
+// than the limit, No. 5010. The limit is in setup units. It is 0 if it is not given, and nothing is dropped if it is
+// negative. The vectors are taken in the order of the group, start-up and cancel included, and the first vector always
+// stays.
 void SideRules::drop_small_differences(SideGroup& group, const SideCase& given) const {
   if (group.vectors.size() < 2) return;
   if (given.next.arc && !plane_rules_.is_under_half_circle(given.next.arc->ends)) return;

@@ -22,12 +22,12 @@ Deviation deviation_at(const Deviations& table, const ContactGeometry& contact, 
   const Real scale = 2 * contact.lengths;
   const SupportPoint& first = table.front();
   const SupportPoint& last = table.back();
-  // heidenhain.tool.deviation-below: A contact angle below the first support point b raises E_3DTC_RANGE; the support
-  // point itself is inside.
+  // heidenhain.tool.deviation-below: A contact angle below the first support point b raises E_3DTC_RANGE. The support
+  // point itself is inside the range.
   const Sign below = recorder.decide(Clause::heidenhain_tool_deviation_below, beyond(first.cosine, contact), scale);
   if (below == Sign::negative) throw Alarm(AlarmCause::deviation_range);
-  // heidenhain.tool.deviation-above: A contact angle above the last support point b raises E_3DTC_RANGE; the support
-  // point itself is inside.
+  // heidenhain.tool.deviation-above: A contact angle above the last support point b raises E_3DTC_RANGE. The support
+  // point itself is inside the range.
   const Sign above = recorder.decide(Clause::heidenhain_tool_deviation_above, -beyond(last.cosine, contact), scale);
   if (above == Sign::negative) throw Alarm(AlarmCause::deviation_range);
 
@@ -38,8 +38,8 @@ Deviation deviation_at(const Deviations& table, const ContactGeometry& contact, 
   for (std::size_t i = 1; i + 1 < table.size(); ++i) {
     const SupportPoint& point = table[i];
     // heidenhain.tool.deviation-segment: Between two support points the deviation is interpolated linearly in the
-    // angle. The support points between first and last are asked in ascending order until one is not below the contact
-    // angle. Manual's example: 0.03 at 40 degrees and -0.02 at 50 degrees give 0.005 at 45 degrees.
+    // angle. The support points between the first and the last are tested in ascending order, until one is not below
+    // the contact angle. In the manual's example, 0.03 at 40 degrees and -0.02 at 50 degrees give 0.005 at 45 degrees.
     const Sign side = recorder.decide(Clause::heidenhain_tool_deviation_segment, beyond(point.cosine, contact), scale);
     if (side == Sign::zero) return at(point, angle);
     if (side == Sign::negative) return between(*before, point, angle);
@@ -49,9 +49,9 @@ Deviation deviation_at(const Deviations& table, const ContactGeometry& contact, 
   return before == &last ? at(last, angle) : between(*before, last, angle);
 }
 
-// heidenhain.tool.effective-corner-radius: An effective corner radius below 0 raises E_R2_NEG, also under M107: no such
-// geometry exists. With a table of deviations its value counts in dR2, and the sign is that of an angle: inside a
-// segment the contact angle is compared with the angle at which R2 + dR2 is 0.
+// heidenhain.tool.effective-corner-radius: An effective corner radius below 0 raises E_R2_NEG, also under M107, because
+// no such geometry exists. With a table of deviations the value of that table counts in dR2. The sign is then that of
+// an angle: inside a segment the contact angle is compared with the angle at which R2 + dR2 is 0.
 SignedQuantity sign_of_sum(const Real& radius, const Deviation& deviation, const ContactGeometry& contact) {
   const Real start = radius + deviation.before->value;
   const Real end = radius + deviation.behind->value;

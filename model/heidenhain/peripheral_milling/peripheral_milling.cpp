@@ -27,8 +27,8 @@ void PeripheralMilling::release(const Motion* next) {
   recorder_.resume(std::move(motion.clauses));
   Compensated result;
   try {
-    // heidenhain.program.length-along-the-tool: DL acts along the tool vector T: the axes of an event are the tip of a
-    // tool of exactly the table length, and the real tool stands by dL t beside where it would without deltas.
+    // heidenhain.program.length-along-the-tool: DL acts along the tool vector T. The axes of an event are the tip of a
+    // tool of exactly the table length. The real tool is displaced by dL t from where it would be without deltas.
     recorder_.reach(Clause::heidenhain_program_length_along_the_tool);
     PeripheralEnd made = rules_.compensate(motion, next, held_is_first_, former_);
     result = std::move(made.end);

@@ -17,9 +17,9 @@ Vector unit(const Vector& v, const Real& norm2) {
 
 }  // namespace
 
-// heidenhain.peripheral.applies: Under TCPM a block L with RL or RR in force, and a block LN without a normal with one
-// of them in force, is compensated perpendicular to the movement and to the tool by the total of the deltas: dR; dL
-// acts along the tool, dR2 has no effect.
+// heidenhain.peripheral.applies: Under TCPM an L block, or an LN block without a normal, with RL or RR in force is
+// compensated perpendicular to the movement and to the tool. The amount is the total of the deltas, dR. dL acts along
+// the tool, and dR2 has no effect. An LN block without a normal takes its side from an earlier block.
 PeripheralEnd PeripheralRules::compensate(const Motion& motion, const Motion* next, bool is_first,
                                           const std::optional<LateralDirection>& former) const {
   recorder_.reach(Clause::heidenhain_peripheral_applies);
@@ -35,8 +35,9 @@ PeripheralEnd PeripheralRules::compensate(const Motion& motion, const Motion* ne
 }
 
 // heidenhain.peripheral.direction: The direction of compensation is perpendicular to the movement of the block and to
-// the tool. Where it does not exist, the tool being parallel to the movement or nothing moving, the direction made last
-// counts: at a junction c_i is made first, then c_(i+1). The test is exact. Asked for every direction that is wanted.
+// the tool. If the tool is parallel to the movement, or nothing moves, there is no such direction, and the direction
+// made last counts. At a junction c_i is made first, then c_(i+1). The test is exact. Asked for every direction that is
+// needed.
 LateralDirection PeripheralRules::direction(const Direction& tool, const Vector& travel, Side side,
                                             const std::optional<LateralDirection>& former) const {
   const Vector across = cross(tool.vector, travel);
@@ -44,8 +45,8 @@ LateralDirection PeripheralRules::direction(const Direction& tool, const Vector&
   const Real travel2 = squared_norm(travel);
   const Real scale = travel2.sign() == Sign::zero ? Real(1) : tool.norm2 * travel2;
   if (recorder_.decide(Clause::heidenhain_peripheral_direction, norm2, scale) == Sign::zero) {
-    // heidenhain.peripheral.former-direction: Where a block has no direction of its own and none was made since the
-    // first compensated block, E_NO_DIRECTION names the block whose end point is wanted.
+    // heidenhain.peripheral.former-direction: If a block has no direction of its own, and no direction was made since
+    // the first compensated block, E_NO_DIRECTION is raised. The alarm names the block whose end point is needed.
     if (!recorder_.decide(Clause::heidenhain_peripheral_former_direction, former.has_value())) {
       recorder_.list(Clause::heidenhain_peripheral_former_direction);
       throw Alarm(AlarmCause::no_direction);
@@ -53,18 +54,20 @@ LateralDirection PeripheralRules::direction(const Direction& tool, const Vector&
     return *former;
   }
   if (norm2.sign() == Sign::zero) throw NotFinite();  // only a forced outcome comes here
-  // heidenhain.peripheral.side: RL compensates to the left of the movement seen from the tool carrier, RR to the right.
+  // heidenhain.peripheral.side: RL compensates to the left of the movement and RR to the right, seen from the tool
+  // carrier.
   const bool left = recorder_.decide(Clause::heidenhain_peripheral_side, side == Side::left);
   const Vector c = left ? across : -across;
   return {c, norm2, unit(c, norm2)};
 }
 
-// heidenhain.peripheral.first-block: The first compensated block, the one before having been without this compensation,
-// ends beside its end point in the direction of the next block with an axis word or M140 (along the tool), whatever
-// that block's compensation, with its own delta and tool, and its own side where the next block has no RL or RR of this
-// compensation: the tool arrives perpendicular to the start of the contour. Its move has the cause start-up.
-// heidenhain.peripheral.first-without-next: Where nothing that moves follows the first compensated block, the end of
-// the run or an alarm, its own direction counts.
+// heidenhain.peripheral.first-block: The first compensated block ends beside its end point, in the direction of
+// compensation of the next block. A block is the first if the block before it was without this compensation. The next
+// block is the next one with an axis word or M140 (a movement along the tool), whatever its compensation. Delta and
+// tool are those of the first block, and so is the side if the next block has no RL or RR of this compensation. So the
+// tool arrives perpendicular to the start of the contour. The move of the first block has the cause start-up.
+// heidenhain.peripheral.first-without-next: If nothing that moves follows the first compensated block, its own
+// direction counts. This is so at the end of the run and before an alarm.
 PeripheralRules::Beside PeripheralRules::at_first_block(const Motion& motion, const Motion* next,
                                                         const std::optional<LateralDirection>& former) const {
   recorder_.decide(Clause::heidenhain_peripheral_first_without_next, next == nullptr);
@@ -74,11 +77,11 @@ PeripheralRules::Beside PeripheralRules::at_first_block(const Motion& motion, co
   return {made.unit, made};
 }
 
-// heidenhain.peripheral.last-block: Whether a block that is not the first is the last compensated one: the next block
-// with an axis word or M140 is without this compensation (R0, a normal, TCPM off), or there is none. It then ends
-// beside its end point in its own direction.
-// heidenhain.peripheral.side-change: RL to RR without R0: each direction takes the side of its own block, and the rule
-// of the mitre holds as it stands.
+// heidenhain.peripheral.last-block: The last compensated block ends beside its end point, in its own direction. A block
+// is the last if the next block with an axis word or M140 is without this compensation (R0, a normal, TCPM off), or if
+// there is no next block. Asked of every compensated block that is not the first.
+// heidenhain.peripheral.side-change: If RL changes to RR without R0, or RR to RL, each direction takes the side of its
+// own block, and the rule of the mitre holds unchanged.
 PeripheralRules::Beside PeripheralRules::at_later_block(const Motion& motion, const Motion* next,
                                                         const std::optional<LateralDirection>& former) const {
   const LateralDirection own = direction(motion.direction, motion.travel, motion.side, former);
@@ -91,9 +94,9 @@ PeripheralRules::Beside PeripheralRules::at_later_block(const Motion& motion, co
 }
 
 // heidenhain.peripheral.mitre: Between two compensated blocks the end point is the intersection of both offset lines in
-// the plane across the tool, so that it lies on both. The delta is that of the former block.
-// heidenhain.peripheral.reversal: Where the two directions are opposite there is no such point: E_REVERSAL names the
-// block whose end point is wanted. The test is exact.
+// the plane across the tool, so that it lies on both lines. The delta is that of the former block.
+// heidenhain.peripheral.reversal: If the directions of two consecutive compensated blocks are opposite, their offset
+// lines do not meet, and E_REVERSAL is raised. The alarm names the block whose end point is needed. The test is exact.
 //
 // Where the angle is obtuse 1 + c.c' = |c x c'|²/(1 - c.c'), which is 0 without a root.
 Vector PeripheralRules::mitre(const LateralDirection& a, const LateralDirection& b) const {

@@ -40,8 +40,8 @@ std::optional<Motion> Interpreter::read(const Block& block) {
   if (block.alarm) raise_read_alarm(recorder_, *block.alarm);
   const Functions functions = Functions::of(block);
   act_at_start(functions);
-  // heidenhain.program.machine-coordinates-under-tcpm: M128 must be off before M91 and M92: under TCPM a block with one
-  // of them raises E_TCPM_M91. M128 in the same block is on already, M129 in the same block not yet off.
+  // heidenhain.program.machine-coordinates-under-tcpm: M128 must be off before M91 and M92, so under TCPM a block with
+  // M91 or M92 raises E_TCPM_M91. M128 in the same block is already on, and M129 in the same block is not yet off.
   if (functions.machine_coordinates && direction_.tcpm())
     raise(recorder_, Clause::heidenhain_program_machine_coordinates_under_tcpm,
           AlarmCause::machine_coordinates_under_tcpm);
@@ -56,16 +56,16 @@ std::optional<Motion> Interpreter::read(const Block& block) {
 void Interpreter::begin(const Block& block) {
   begun_ = true;
   if (block.statement == Statement::begin_program && !block.alarm) values_.program_units(block.unit);
-  // heidenhain.program.units: MM or INCH of BEGIN PGM, without it the units of the setup, are the units of coordinates,
-  // TOOL CALL deltas and results.
+  // heidenhain.program.units: MM or INCH of BEGIN PGM sets the units of coordinates, TOOL CALL deltas and results.
+  // Without BEGIN PGM they are the units of the setup.
   recorder_.decide(Clause::heidenhain_program_units, values_.inch());
   position_.start(setup_);
 }
 
 void Interpreter::act_at_start(const Functions& functions) {
   if (functions.m128) direction_.function_m128(setup_.m128_reference == spec::M128Reference::center);
-  // heidenhain.program.oversize-switch: M107 permits positive deltas from the start of its block on, M108 ends that at
-  // the end of its block.
+  // heidenhain.program.oversize-switch: M107 permits positive deltas from the start of its block on. M108 ends the
+  // permission at the end of its block.
   if (functions.m107) oversize_allowed_ = recorder_.decide(Clause::heidenhain_program_oversize_switch, true);
 }
 
@@ -89,8 +89,8 @@ std::optional<Motion> Interpreter::execute(const Block& block, const Functions& 
       direction_.tcpm_off(false);
       break;
     case Statement::programmed_path:
-      // heidenhain.contour.switch: FUNCTION PROG PATH IS CONTOUR makes the programmed coordinates those of the contour
-      // until FUNCTION PROG PATH OFF, across tool calls.
+      // heidenhain.contour.switch: FUNCTION PROG PATH IS CONTOUR makes the programmed coordinates those of the contour,
+      // until FUNCTION PROG PATH OFF. Tool calls do not end this.
       contour_ = recorder_.decide(Clause::heidenhain_contour_switch, block.contour);
       break;
     case Statement::correction_row:
@@ -111,8 +111,8 @@ std::optional<Motion> Interpreter::execute(const Block& block, const Functions& 
       break;
     case Statement::call_program:
       record_call(recorder_, block);
-      // heidenhain.program.program-call-cancels: CALL PGM cancels the radius compensation: R0 until RL or RR is
-      // programmed again, in the program called or after the call.
+      // heidenhain.program.program-call-cancels: CALL PGM cancels the radius compensation. R0 is in force until RL or
+      // RR is programmed again, in the called program or after the call.
       if (recorder_.decide(Clause::heidenhain_program_program_call_cancels, side_ != Side::none)) side_ = Side::none;
       break;
     case Statement::begin_program:
@@ -137,8 +137,8 @@ void Interpreter::call_tool(const Block& block) {
 }
 
 void Interpreter::correct(const Block& block) {
-  // heidenhain.program.workpiece-corrections: FUNCTION CORRDATA WPL shifts the workpiece and is no delta of the tool;
-  // its values are not part of the setup, and it changes nothing here.
+  // heidenhain.program.workpiece-corrections: FUNCTION CORRDATA WPL shifts the workpiece and is not a delta of the
+  // tool. Its values are not part of the setup, and it changes nothing here.
   if (block.corrections != CorrectionTable::tcs) recorder_.reach(Clause::heidenhain_program_workpiece_corrections);
   if (block.corrections == CorrectionTable::wpl) return;
   if (block.statement == Statement::correction_row)
@@ -150,7 +150,8 @@ void Interpreter::correct(const Block& block) {
 void Interpreter::define_cycle(const Block& block) {
   if (block.cycle_values.empty()) return;
   // heidenhain.program.drilling-cycle: CYCL DEF of one of the cycles 200 to 203, 205 to 207, 209, 240 and 241 defines a
-  // drilling cycle. It sets the Q parameters that it names as assignments do, in the order written, and moves nothing.
+  // drilling cycle. It sets the Q parameters that it names, as assignments do, in the order written, and it moves
+  // nothing.
   recorder_.reach(Clause::heidenhain_program_drilling_cycle);
   for (const spec::klartext::Assignment& each : block.cycle_values) values_.assign(each.target, each.value);
 }
@@ -189,9 +190,9 @@ std::optional<Motion> Interpreter::line(const Block& block, const Functions& fun
   motion.oversize_allowed = oversize_allowed_;
   motion.feed = feed_.in_force();
   motion.rapid = block.feed == FeedWord::f_max || (retracts && block.feed == FeedWord::none);
-  // heidenhain.program.many-digits: L and LN blocks with more digits than the control takes run with the numbers as
-  // written and W_DIGITS: coordinates of more than 5 decimals or beyond 99999.99999, components of more than 8
-  // decimals.
+  // heidenhain.program.many-digits: An L or LN block with more digits than the control accepts runs with the numbers as
+  // written and gives W_DIGITS. This is so for coordinates with more than 5 decimals or beyond 99999.99999, and for
+  // vector components with more than 8 decimals.
   if (recorder_.decide(Clause::heidenhain_program_many_digits, block.many_digits))
     motion.warnings.push_back(
         {"W_DIGITS", "more digits than the control takes", Clause::heidenhain_program_many_digits});
@@ -206,8 +207,8 @@ std::optional<Motion> Interpreter::line(const Block& block, const Functions& fun
   motion.tool = tool_.effective();
   motion.tcpm = direction_.tcpm();
   // heidenhain.program.reference-point: Under REFPNT CNT-CNT the programmed point is the centre of the tool, R2 above
-  // the tip along the tool; else, and without TCPM, it is the tip. TIP-CNT differs only in the point of rotation. Asked
-  // of every motion.
+  // the tip along the tool. Otherwise, and always without TCPM, the programmed point is the tip. TIP-CNT differs only
+  // in the point of rotation. Asked of every motion.
   motion.center = recorder_.decide(Clause::heidenhain_program_reference_point, direction_.at_center());
   direct(motion, block);
   return motion;
@@ -241,11 +242,11 @@ void Interpreter::move_to_end(const Block& block, const Functions& functions) {
 }
 
 void Interpreter::require_positions(bool needs) {
-  // heidenhain.program.unknown-position: Events do not have coordinates of an axis whose position is unknown, nor
-  // vectors of the tool, and name the axis in `unknown`. A word of the axis without I makes its position known. A block
-  // that needs one before ends the run without an alarm, with not_judged: one with an increment of such an axis, one
-  // under RL or RR and TCPM without a normal before or at the end of which one is unknown, and a hole where a linear
-  // axis other than the tool axis is.
+  // heidenhain.program.unknown-position: If the position of an axis is unknown, events have no coordinates of that axis
+  // and no vectors of the tool, and they name the axis in `unknown`. A word of the axis without I makes its position
+  // known. A block that needs the position before that ends the run without an alarm, with not_judged. Such blocks are
+  // a block with an increment of the axis; a block without a normal under RL or RR and TCPM, if a position is unknown
+  // before the block or at its end; and a hole, if the position of a linear axis other than the tool axis is unknown.
   if (recorder_.decide(Clause::heidenhain_program_unknown_position, needs))
     throw Alarm(AlarmCause::not_judged,
                 "an unknown position (after M140 MB MAX, or a departure from a contour) is not judged");
@@ -262,11 +263,11 @@ void Interpreter::direct(Motion& motion, const Block& block) {
 void Interpreter::take_vectors(Motion& motion, const Block& block) {
   const bool tcpm = direction_.tcpm();
   if (!tcpm) {
-    // heidenhain.program.direction-without-tcpm: Without TCPM the tool is along the tool axis whatever rotary words and
-    // tool vectors say; rotary words are remembered.
+    // heidenhain.program.direction-without-tcpm: Without TCPM the tool is along the tool axis, whatever rotary words
+    // and tool vectors say. The values of rotary words are remembered.
     recorder_.reach(Clause::heidenhain_program_direction_without_tcpm);
-    // heidenhain.face.tool-vector-ignored: Without TCPM the tool vector T is ignored, even if it is defined:
-    // W_T_IGNORED. Asked in every LN block without TCPM.
+    // heidenhain.face.tool-vector-ignored: Without TCPM a tool vector T is ignored, even if the block defines it. Such
+    // a block gives W_T_IGNORED. Asked in every LN block without TCPM.
     if (recorder_.decide(Clause::heidenhain_face_tool_vector_ignored, block.has_tool_vector))
       motion.warnings.push_back(
           {"W_T_IGNORED", "a tool vector without TCPM", Clause::heidenhain_face_tool_vector_ignored});
@@ -277,15 +278,16 @@ void Interpreter::take_vectors(Motion& motion, const Block& block) {
   }
   if (!tcpm) return;
   if (block.has_normal) {
-    // heidenhain.face.tool-vector: Under TCPM the tool takes the direction T where the block gives it, and else stands
-    // perpendicular to the contour, along N. The direction stays for the blocks that follow.
+    // heidenhain.face.tool-vector: In an LN block with a surface normal under TCPM, the tool takes the direction T if
+    // the block gives it. Otherwise the tool is perpendicular to the contour, along N. The direction stays in force for
+    // the blocks that follow.
     if (!recorder_.decide(Clause::heidenhain_face_tool_vector, block.has_tool_vector)) {
       direction_.take_vector(*motion.normal);
       return;
     }
   } else {
-    // heidenhain.peripheral.tool-vector: Under TCPM an LN block with a tool vector and no normal turns the tool to T;
-    // it keeps the direction for the blocks that follow.
+    // heidenhain.peripheral.tool-vector: Under TCPM an LN block with a tool vector and no normal turns the tool to T.
+    // The tool keeps that direction for the blocks that follow.
     recorder_.reach(Clause::heidenhain_peripheral_tool_vector);
   }
   const Vector vector = vector_of(block.tool_vector);
@@ -296,9 +298,8 @@ void Interpreter::take_vectors(Motion& motion, const Block& block) {
 void Interpreter::check_length(Motion& motion, const Vector& vector, const char* message) {
   const Real norm2 = squared_norm(vector);
   const Real off = norm2 < 1 ? 1 - norm2 : norm2 - 1;
-  // heidenhain.face.not-normalized: Vectors must be normalised, says the manual, whose own examples are not. Every
-  // vector is normalised exactly, and one whose square is off by more than 0.0002 gives W_NOT_NORMALIZED: first N, then
-  // T, but not a T that is ignored.
+  // heidenhain.face.not-normalized: Every vector is normalised exactly, and a vector whose square differs from 1 by
+  // more than 0.0002 gives W_NOT_NORMALIZED. N is checked first, then T, but not a T that is ignored.
   if (recorder_.decide(Clause::heidenhain_face_not_normalized, off - Rational(1, 5000), 1 + norm2) == Sign::positive)
     motion.warnings.push_back({"W_NOT_NORMALIZED", message, Clause::heidenhain_face_not_normalized});
 }

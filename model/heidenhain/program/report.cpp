@@ -91,9 +91,9 @@ std::shared_ptr<const Event> unmade(const Motion& motion) {
 void report_out_of_scope(const Motion& motion, EventSink& sink) {
   report_warnings(motion, sink);
   Event event = event_of(spec::EventKind::undecided, {motion.line, motion.n});
-  // heidenhain.peripheral.out-of-scope: RL or RR without TCPM, in L and in LN without a normal, is the ordinary
-  // compensation in the plane by the full radius, which is not modelled: an undecided event with the reason
-  // OUT_OF_SCOPE in place of the move; the run goes on from the programmed end point.
+  // heidenhain.peripheral.out-of-scope: RL or RR without TCPM, in an L block or an LN block without a normal, is the
+  // ordinary compensation in the plane by the full radius, which is not modelled. In place of the move there is an
+  // undecided event with the reason OUT_OF_SCOPE. The run goes on from the programmed end point.
   event.number = spec::info(Clause::heidenhain_peripheral_out_of_scope).id;
   event.message = "radius compensation in the plane, RL or RR without TCPM, is not modelled";
   event.out_of_scope = true;

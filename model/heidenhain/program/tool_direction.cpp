@@ -12,8 +12,8 @@ Direction direction_of(const Vector& vector) {
 }
 
 void ToolDirection::tool_axis(char letter) {
-  // heidenhain.program.tool-axis: X, Y or Z of TOOL CALL is the tool axis: the direction of the tool where nothing
-  // turns it. Without the letter it stays.
+  // heidenhain.program.tool-axis: X, Y or Z of TOOL CALL is the tool axis, the direction of the tool if nothing turns
+  // it. Without the letter the tool axis stays.
   if (!recorder_.decide(Clause::heidenhain_program_tool_axis, letter != 0)) return;
   axis_index_ = space_index(letter);
   Vector e;
@@ -23,10 +23,11 @@ void ToolDirection::tool_axis(char letter) {
 }
 
 void ToolDirection::function_m128(bool center) {
-  // heidenhain.program.tcpm-on: M128 switches TCPM on at the start of its block, FUNCTION TCPM by itself.
+  // heidenhain.program.tcpm-on: M128 switches TCPM on at the start of its block. FUNCTION TCPM switches it on in a
+  // block of its own.
   recorder_.decide(Clause::heidenhain_program_tcpm_on, true);
-  // heidenhain.program.m128-reference: The reference point of M128 is set by a machine parameter, also where FUNCTION
-  // TCPM had set another: with the setup key m128_reference the tip, or the centre as under CNT-CNT.
+  // heidenhain.program.m128-reference: A machine parameter sets the reference point of M128, even if FUNCTION TCPM had
+  // set another one. The setup key m128_reference says which: the tip, or the centre as under CNT-CNT.
   switch_on(recorder_.decide(Clause::heidenhain_program_m128_reference, center));
 }
 
@@ -39,15 +40,16 @@ void ToolDirection::switch_on(bool center) {
   center_ = center;
   if (tcpm_) return;
   tcpm_ = true;
-  // heidenhain.program.tcpm-direction: Where TCPM goes on nothing turns: the tool stands as the rotary axes stand. They
-  // stand at the values programmed last, also those of blocks without TCPM, or where a tool vector or a normal turned
-  // the tool, if no rotary word came after it.
+  // heidenhain.program.tcpm-direction: When TCPM is switched on, nothing turns, and the tool has the direction that the
+  // rotary axes give it. The rotary axes are at the values programmed last, including those of blocks without TCPM. If
+  // a tool vector or a normal turned the tool and no rotary word came after it, the tool has the direction of that
+  // vector instead.
   current_ = recorder_.decide(Clause::heidenhain_program_tcpm_direction, by_vector_) ? left_ : turned();
 }
 
 void ToolDirection::tcpm_off(bool m129) {
-  // heidenhain.program.tcpm-off: M129 switches TCPM off at the end of its block, FUNCTION RESET TCPM by itself. The
-  // tool is then along the tool axis.
+  // heidenhain.program.tcpm-off: M129 switches TCPM off at the end of its block. FUNCTION RESET TCPM switches it off in
+  // a block of its own. The tool is then along the tool axis.
   recorder_.decide(Clause::heidenhain_program_tcpm_off, m129);
   if (tcpm_ && by_vector_) left_ = current_;
   tcpm_ = false;
@@ -59,13 +61,13 @@ void ToolDirection::take_rotary_words(const spec::klartext::Block& block) {
   for (std::size_t slot = kFirstRotarySlot; slot < kFirstParallelSlot; ++slot) rotary_word |= block.has_axis(slot);
   by_vector_ = by_vector_ && !rotary_word;
   if (!tcpm_) {
-    // heidenhain.program.direction-without-tcpm: Without TCPM the tool is along the tool axis whatever rotary words and
-    // tool vectors say; rotary words are remembered.
+    // heidenhain.program.direction-without-tcpm: Without TCPM the tool is along the tool axis, whatever rotary words
+    // and tool vectors say. The values of rotary words are remembered.
     recorder_.reach(Clause::heidenhain_program_direction_without_tcpm);
     return;
   }
-  // heidenhain.program.direction-of-rotary-axes: Under TCPM a block L with a rotary word turns the tool by A, B, C in
-  // this order about the fixed axes X, Y, Z; rotary axes without a word keep the value programmed last.
+  // heidenhain.program.direction-of-rotary-axes: Under TCPM an L block with a rotary word turns the tool by A, B, C, in
+  // this order, about the fixed axes X, Y, Z. Rotary axes without a word keep the value programmed last.
   if (!recorder_.decide(Clause::heidenhain_program_direction_of_rotary_axes, rotary_word)) return;
   current_ = turned();
 }

@@ -17,12 +17,12 @@ ToolInSpindle::ToolInSpindle(const spec::Setup& setup, const Values& values, Rec
     : setup_(setup), values_(values), recorder_(recorder) {}
 
 bool ToolInSpindle::call(const Block& block, bool tcpm) {
-  // heidenhain.program.tool-call: TOOL CALL with a tool takes over its row, sets R0 and replaces the deltas of the call
-  // before by its own, 0 where it names none. TOOL CALL 0 is a tool of zeros.
+  // heidenhain.program.tool-call: TOOL CALL with a tool takes over the row of the tool, sets R0 and replaces the deltas
+  // of the previous call by its own. A delta that it does not name is 0. TOOL CALL 0 calls a tool of zeros.
   const bool calls = recorder_.decide(Clause::heidenhain_program_tool_call, block.tool != ToolWord::none);
   if (calls) {
-    // heidenhain.program.tool-call-under-tcpm: M128 must be off before a tool is called: under TCPM that raises
-    // E_TCPM_TOOLCALL, also of a tool that is unknown.
+    // heidenhain.program.tool-call-under-tcpm: M128 must be off before a tool is called, so the call of a tool under
+    // TCPM raises E_TCPM_TOOLCALL, even if the tool is unknown.
     if (tcpm) raise(recorder_, Clause::heidenhain_program_tool_call_under_tcpm, AlarmCause::tool_call_under_tcpm);
     table_ = EffectiveTool();
     table_.called = true;
@@ -30,12 +30,13 @@ bool ToolInSpindle::call(const Block& block, bool tcpm) {
     const bool null_tool = block.tool == ToolWord::number && block.tool_number == 0;
     if (!null_tool) {
       const spec::ToolRow* const row = find(block);
-      // heidenhain.program.tool-unknown: TOOL CALL of a number or name without a row in the tool table, or by a string
-      // parameter, raises E_NO_TOOL.
+      // heidenhain.program.tool-unknown: TOOL CALL raises E_NO_TOOL if its number or name has no row in the tool table,
+      // or if it names the tool by a string parameter.
       if (row == nullptr) raise(recorder_, Clause::heidenhain_program_tool_unknown, AlarmCause::no_tool);
       take_over(*row);
     }
-    // heidenhain.program.correction-row-dropped: A call of a tool puts the row of the compensation table out of force.
+    // heidenhain.program.correction-row-dropped: After a call of a tool the row of the compensation table is no longer
+    // in force.
     if (recorder_.decide(Clause::heidenhain_program_correction_row_dropped, corrected_)) {
       corrected_ = false;
       of_correction_ = Deltas();
@@ -71,8 +72,8 @@ void ToolInSpindle::take_over(const spec::ToolRow& row) {
 void ToolInSpindle::use_correction(std::uint32_t row) {
   const auto found = setup_.tcs.find(row);
   if (found == setup_.tcs.end()) throw spec::InputError("setup", 0, 0, "correction.tcs: no row " + std::to_string(row));
-  // heidenhain.program.correction-row: FUNCTION CORRDATA TCS #n puts a row of the compensation table in force, FUNCTION
-  // CORRDATA RESET none. SEL CORR-TABLE only names the file.
+  // heidenhain.program.correction-row: FUNCTION CORRDATA TCS #n puts a row of the compensation table in force. After
+  // FUNCTION CORRDATA RESET no row is in force. SEL CORR-TABLE only names the file.
   corrected_ = recorder_.decide(Clause::heidenhain_program_correction_row, true);
   const spec::CorrectionRow& values = found->second;
   of_correction_ = {values_.of_table(values.dl), values_.of_table(values.dr), values_.of_table(values.dr2)};
@@ -87,7 +88,7 @@ void ToolInSpindle::drop_correction() {
 
 std::shared_ptr<const EffectiveTool> ToolInSpindle::effective() {
   // heidenhain.program.delta-sum: A delta is the total of the values of tool management, of the tool call and of the
-  // compensation table; positive is larger than the table says.
+  // compensation table. A positive delta means that the tool is larger than the table says.
   recorder_.reach(Clause::heidenhain_program_delta_sum);
   if (!effective_) {
     EffectiveTool sum = table_;

@@ -23,8 +23,8 @@ Values::Key Values::key(const spec::klartext::Parameter& parameter) {
 Real Values::word(const spec::klartext::Value& value) const {
   if (value.parameter.kind == spec::klartext::ParameterKind::none) return plain(value.number);
   const auto found = parameters_.find(key(value.parameter));
-  // heidenhain.program.parameter-value: A word may take its value from a Q, QL or QR parameter, with its sign; one that
-  // was never assigned counts 0.
+  // heidenhain.program.parameter-value: A word may take its value from a Q, QL or QR parameter, with the sign written
+  // before it. A parameter that was never assigned counts as 0.
   if (!recorder_.decide(Clause::heidenhain_program_parameter_value, found != parameters_.end())) return {};
   return value.number.negative ? -found->second : found->second;
 }

@@ -62,7 +62,7 @@ Definition around {num} {N : Numbers num} (clockwise : bool) (center start finis
   equal <- is_zero "fanuc.program.arc-spiral" (dot2 to to - dot2 from from)%num ;;
   Got (Circle center turn (if equal then None else Some (root (dot2 from from), root (dot2 to to)))).
 
-(** fanuc.program.arc-radii: the radii differ by no more than 3410, where it is given and not 0. *)
+(** fanuc.program.arc-radii: the radii differ by no more than 3410, if it is given and not 0. *)
 Definition radii_allowed {num} {N : Numbers num} (most : num) (c : circle num) : outcome unit :=
   unlimited <- is_zero "fanuc.program.arc-radii" most ;;
   match ends c with
@@ -81,7 +81,7 @@ Definition to_center_by_radius {num} {N : Numbers num} (clockwise larger : bool)
   let half x := (x / integer 2)%num in
   ((half (fst chord) - height * snd chord)%num, (half (snd chord) + height * fst chord)%num).
 
-(** fanuc.program.arc-radius: R exists where it is at least half the chord, else PS0020.
+(** fanuc.program.arc-radius: an arc exists if R is at least half the chord, else PS0020.
     fanuc.program.arc-larger: a positive R means the arc of at most 180 degrees, a negative one the larger arc. *)
 Definition by_radius {num} {N : Numbers num} (clockwise : bool) (r : num) (start finish : pair num) :
     outcome (circle num) :=
@@ -94,8 +94,8 @@ Definition by_radius {num} {N : Numbers num} (clockwise : bool) (r : num) (start
   turn <- angle_between clockwise (sub2 (0%num, 0%num) to_center) (sub2 chord to_center) ;;
   Got (Circle (add2 start to_center) turn None).
 
-(** The vector from the start to the centre. fanuc.program.arc-center-in-start: I J K of which those of the plane are zero
-    or missing raise PS0022; where cutter compensation C raises PS0038 instead, that comes later. *)
+(** The vector from the start to the centre. fanuc.program.arc-center-in-start: I J K raise PS0022 if those of the plane
+    are zero or missing; if cutter compensation C raises PS0038 instead, that comes later. *)
 Definition by_center {num} {N : Numbers num} (most_apart : num) (refused_later clockwise : bool) (to_center start finish : pair num) :
     outcome (circle num) :=
   in_start <- is_zero "fanuc.program.arc-center-in-start" (dot2 to_center to_center) ;;

@@ -20,7 +20,7 @@ Definition ranges {num} {N : Numbers num} (s : setup num) : outcome (range num *
 
 Definition range_clause := "fanuc.tool-center-point.range".
 
-(** fanuc.tool-center-point.range: a position counts only in the range of its axis; the limits are inside. *)
+(** fanuc.tool-center-point.range: a position counts only if it is in the range of its axis; the limits are in range. *)
 Definition not_above {num} {N : Numbers num} (r : range num) (x : angle num) : outcome bool :=
   match r with
   | Some (_, upper) => c <- compare_angles range_clause x upper ;; Got (match c with Gt => false | _ => true end)
@@ -133,8 +133,8 @@ Fixpoint best_of {A} (better : A -> A -> outcome comparison) (kept rest : list A
       best_of better (match c with Lt => [x] | Eq => kept ++ [x] | Gt => kept end) rest
   end.
 
-(** fanuc.tool-center-point.choice-order: judged first is the first axis on tool rotation and table rotation machines, the
-    second on the mixed type; 19608#5 turns the order round. *)
+(** fanuc.tool-center-point.choice-order: on tool rotation and table rotation machines the first axis is judged first,
+    on the mixed type the second; 19608#5 reverses the order. *)
 Definition judges_second_first {num} (s : setup num) (k : kinematics num) : bool :=
   xorb (match machine_of k with Mixed => true | _ => false end) (bit s "19608#5").
 
@@ -159,8 +159,9 @@ Definition positions_of {num} {N : Numbers num} (clause : string) (r : range num
   | _, _ => Got [goes_to c]
   end.
 
-(** fanuc.tool-center-point.choice: step by step remain those with the smallest moving angle of the axis judged first; of
-    the other axis; with the axis judged first nearest to 0; with the other nearest to 0.
+(** fanuc.tool-center-point.choice: each step keeps only the best candidates: the smallest moving angle of the axis
+    judged first; then that of the other axis; then the axis judged first nearest to 0; then the other axis nearest
+    to 0.
     fanuc.tool-center-point.choice-tie: then the greater position of the axis judged first, then of the other one.
     Of pairs, the axis judged first and the other. fanuc.tool-center-point.range-none: none raises PS5459. *)
 Definition chosen {num} {N : Numbers num} (ranges now : _ * _) (pairs : list (axis_aim num * axis_aim num)) :
@@ -210,9 +211,10 @@ Definition same_direction {num} {N : Numbers num} (clause : string) (a b : tripl
 
 (** The pair of a direction, from the present pose, which gives another one; both as the work-side axis has them, and the
     first as seen from the zero pose of the table too.
-    fanuc.tool-center-point.parallel-to-the-work-side: where V is parallel to u_w the work-side axis keeps its position, or
-    goes to the nearest limit of its range where that is outside.
-    fanuc.tool-center-point.choice: for a direction equal to the present one the axes stay, where that is in range. *)
+    fanuc.tool-center-point.parallel-to-the-work-side: if V is parallel to u_w, the work-side axis keeps its position,
+    or goes to the nearest limit of its range if that position is outside.
+    fanuc.tool-center-point.choice: if the direction equals the present one and the present position is in range, the
+    axes stay. *)
 Definition choose {num} {N : Numbers num} (s : setup num) (k : kinematics num) (now : pose num)
     (now_direction v from_zero_pose : triple num) : outcome (pose num) :=
   '(first_range, second_range) <- ranges s ;;

@@ -77,8 +77,9 @@ Definition work_side_turned {num} {N : Numbers num} (k : kinematics num) (from p
 (** * Points *)
 
 (** A point of the machine that is fixed to the table, where it comes from one pose to another.
-    fanuc.tool-center-point.control-point-table-rotation: the first axis goes through A, 19700 to 19702, the second by d,
-    19703 to 19705, beside it with the first at 0: q = R2^-1(deg) (R1^-1(deg) (W + T - A) - d); T_m = A + R1 (d + R2 q).
+    fanuc.tool-center-point.control-point-table-rotation: the first axis goes through A (19700 to 19702), the second
+    through A + d (d: 19703 to 19705) when the first is at 0: q = R2^-1(deg) (R1^-1(deg) (W + T - A) - d);
+    T_m = A + R1 (d + R2 q).
     fanuc.tool-center-point.control-point-mixed: q = R2^-1(deg) (W + T - A); T_m = A + R2 q. *)
 Definition with_table {num} {N : Numbers num} (s : setup num) (k : kinematics num) (from to : pose num) (point : triple num) :
     triple num :=

@@ -29,8 +29,8 @@ Definition between {num} {N : Numbers num} (t x y : num) : num := ((1 - t) * x +
 Definition between3 {num} {N : Numbers num} (t : num) (a b : triple num) : triple num :=
   add3 (scale3 (1 - t)%num a) (scale3 t b).
 
-(** fanuc.tool-center-point.tip-path: the tip is at the fraction t of its path: on the line, or on the arc, where t is the
-    fraction of the sweep, the radius and the travel across the plane going evenly with it. *)
+(** fanuc.tool-center-point.tip-path: the tip is at the fraction t of its path; on an arc t is the fraction of the
+    sweep, and the radius and the travel across the plane go evenly with it. *)
 Definition tip_inside {num} {N : Numbers num} (t : num) (g : movement num) (from to : triple num) : triple num :=
   match circle_of g with
   | Some a =>
@@ -50,7 +50,7 @@ Definition tip_inside {num} {N : Numbers num} (t : num) (g : movement num) (from
   | None => between3 t from to
   end.
 
-(** fanuc.tool-center-point.conventional: the rotary axes go each by itself, evenly. *)
+(** fanuc.tool-center-point.conventional: each rotary axis goes by itself, evenly. *)
 Definition evenly {num} {N : Numbers num} (t : num) (from to : pose num) : pose num :=
   let at_part (a b : angle num) := angle_of_degrees (between t (degrees a) (degrees b)) in
   (at_part (fst from) (fst to), at_part (snd from) (snd to)).
@@ -112,7 +112,7 @@ Definition samples {num} {N : Numbers num} (s : setup num) (c : coordinates num)
 Definition point_of {num} {N : Numbers num} (g : movement num) : values num := sum (tip g) (head g).
 
 (** fanuc.tool-posture.pre-turn, fanuc.tool-posture.post-turn: one move in which the work-side axis turns alone at a
-    standing tip, with the feed of the block, rapid where that is rapid, else linear. *)
+    standing tip, with the feed of the block, rapid if the block is rapid, otherwise linear. *)
 Definition turn {num} {N : Numbers num} (s : setup num) (c : coordinates num) (m : control_mode num) (why : cause)
     (length : num) (to : pose num) (g : movement num) (ends standing : values num) (along : triple num) : item num :=
   Go (over_tip s c m length to
@@ -128,7 +128,7 @@ Definition carried_point {num} {N : Numbers num} (s : setup num) (c : coordinate
   end.
 
 (** The block's own move, from the point before it: the turn at a singular start, the samples, the move, the turn at a
-    singular end. fanuc.tool-posture.branch-mismatch: the warning stands right before the move and its samples. *)
+    singular end. fanuc.tool-posture.branch-mismatch: the warning comes just before the move and its samples. *)
 Definition own_under_control {num} {N : Numbers num} (s : setup num) (b : planned num) (m : control_mode num)
     (run : rotary_run num) (old : control_mode num) (from : values num) (g : movement num) : outcome (list (item num)) :=
   let c := coordinates_of (behind b) in

@@ -12,7 +12,7 @@ Open Scope list_scope.
 (** * The length along the tool *)
 
 (** fanuc.tool-center-point.length: the offset of the H number plus the tool holder offset 19666. H and edited values
-    follow the rules of G43, without G43 or G44 adding or taking: fanuc.length-offset.ofh,
+    follow the rules of G43, except that no G43 or G44 adds or subtracts the offset: fanuc.length-offset.ofh,
     fanuc.length-offset.ofh-first-without-number, fanuc.length-offset.evo. No axis has an offset. *)
 Definition length_under_control {num} {N : Numbers num} (s : setup num) (o : offsets num) (c : length_command)
     (of_code : bool) (st : state num) : outcome (length_offset num * num) :=
@@ -32,7 +32,7 @@ Definition length_under_control {num} {N : Numbers num} (s : setup num) (o : off
 
 (** * The block of the code *)
 
-(** fanuc.tool-center-point.direction-words, fanuc.tool-center-point.again: the direction that is kept, where the block
+(** fanuc.tool-center-point.direction-words, fanuc.tool-center-point.again: the direction that is kept if the block
     gives none: that of the rotary positions; without kinematics the one in force. *)
 Definition kept_without_kinematics {num} {N : Numbers num} (s : setup num) (st : state num) (position : values num) :
     triple num :=
@@ -50,7 +50,7 @@ Definition direction_at_start {num} {N : Numbers num} (k : kinematics num) (alon
               end in
   Directed told (match machine_of k with TableRotation => by_tool_side k p | _ => told end).
 
-(** fanuc.tool-center-point.block: its axes go to their ends each by itself.
+(** fanuc.tool-center-point.block: each of its axes goes to its end by itself.
     fanuc.tool-center-point.direction-at-start: I J K turn a tool rotation machine, without a lean.
     fanuc.tool-center-point.frozen-pose: the pose at which it ends is the frozen one. *)
 Definition control_starts {num} {N : Numbers num} (s : setup num) (c : command num) (type : control_type) (along : num)
@@ -94,8 +94,8 @@ Definition directed_by {num} {N : Numbers num} (s : setup num) (m : control_mode
 Definition directed_at {num} {N : Numbers num} (k : kinematics num) (m : control_mode num) (p : pose num) : directed num :=
   Directed (programmed_direction k (in_workpiece_system m) (frozen_pose m) p) (work_frame_direction k (frozen_pose m) p).
 
-(** fanuc.tool-center-point.direction-words: the direction of I J K, or the one kept; none where the rotary axes stand
-    still: without I J K where Q is 0 or the tip has no travel. And what is kept of it.
+(** fanuc.tool-center-point.direction-words: the direction of I J K, or the one kept; none if the rotary axes stand
+    still: without I J K, if Q is 0 or the tip has no travel. And what is kept of it.
     fanuc.tool-center-point.lean: leaned where the tip moves. *)
 Definition direction_to {num} {N : Numbers num} (s : setup num) (c : command num) (circle_of : option (circle num))
     (m : control_mode num) (from to : values num) : outcome (option (directed num * directed num)) :=
@@ -165,7 +165,7 @@ Definition control_runs {num} {N : Numbers num} (s : setup num) (c : command num
 (** * Arcs in the workpiece system *)
 
 (** fanuc.tool-center-point.arc-in-workpiece-system: a table axis that turns in an arc, or stands elsewhere at its start
-    than at the frozen pose, raises PS5421 where it is not normal to the plane as it stands at the start.
+    than at the frozen pose, raises PS5421 if it is not normal to the plane as it stands at the start.
     fanuc.tool-center-point.arc-with-table-turned: else ARC_WITH_TABLE_TURNED. *)
 Definition arc_in_workpiece_system {num} {N : Numbers num} (s : setup num) (p : plane) (k : kinematics num)
     (frozen from to : pose num) : outcome unit :=
@@ -255,8 +255,8 @@ Definition without_control {num} {N : Numbers num} (s : setup num) (c : command 
 
 (** The programmed position behind a block, and its movement: with the rotary positions of the pose; machine coordinates
     (fanuc.tool-center-point.machine-coordinates); the direction of the tool.
-    fanuc.tool-center-point.tip-alone-in-workpiece-system: without a word of X Y Z the programmed X Y Z become those where
-    the tip is. *)
+    fanuc.tool-center-point.tip-alone-in-workpiece-system: without a word of X Y Z the programmed X Y Z become those of
+    the place where the tip is. *)
 Definition under_control {num} {N : Numbers num} (s : setup num) (c : command num) (behind : control_state num)
     (st : state num) (moves : list (movement num)) : state num * list (movement num) :=
   match in_control behind with

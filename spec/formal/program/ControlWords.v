@@ -8,7 +8,8 @@ Open Scope string_scope.
 Open Scope Z_scope.
 Open Scope list_scope.
 
-(** fanuc.tool-center-point.commands: G43.4 and G43.5 stand in one modal group with G43, G44 and G49, which ends them. *)
+(** fanuc.tool-center-point.commands: G43.4 and G43.5 are in one modal group with G43, G44 and G49, and G49 ends
+    them. *)
 Definition control_code (codes : list Z) : option control_type :=
   match last_of lengths codes with Some code => lookup code [(434, ByAxes); (435, ByVector)] | None => None end.
 
@@ -28,8 +29,9 @@ Definition by_vector (t : option control_type) : bool := match t with Some ByVec
 
 Definition has {num} (letter : Letter.t) (b : block num) : bool := given (last_word letter (words b)).
 
-(** fanuc.tool-center-point.direction-words: I J K are the direction, of some given the missing ones are 0.
-    fanuc.program.letters-as-data: but where they are data of another code. *)
+(** fanuc.tool-center-point.direction-words: I J K are the direction; if only some of them are given, the missing ones
+    are 0.
+    fanuc.program.letters-as-data: unless they are data of another code. *)
 Definition direction_words {num} {N : Numbers num} (s : setup num) (c : command num) : option (triple num) :=
   let number letter := last_number s (in_inches (in_modes c)) letter (block_of c) in
   let some := existsb (fun letter => has letter (block_of c)) [Letter.I; Letter.J; Letter.K] in
@@ -118,7 +120,7 @@ Definition limits_in_order {num} {N : Numbers num} (s : setup num) : outcome boo
 (** * Alarms *)
 
 (** fanuc.tool-center-point.forbidden: these codes, and G10 L2 and L20.
-    fanuc.program.last-code-of-group: of one group the last counts. *)
+    fanuc.program.last-code-of-group: of one group the last one counts. *)
 Definition forbidden_codes := [280; 290; 300; 301; 370; 390; 410; 420; 450; 460; 470; 480; 520; 530; 540; 541; 550; 560;
   570; 580; 590; 920].
 Definition is_forbidden (codes : list Z) : bool :=
@@ -205,7 +207,7 @@ Definition control_alarms {num} {N : Numbers num} (s : setup num) (c : command n
     G45 to G48.
     fanuc.tool-center-point.again: the code under control ends it first: they become the coordinates of the tip in the
     workpiece system at the present pose.
-    fanuc.tool-center-point.end-moves: and so they do where G49 takes the offset back in a move. *)
+    fanuc.tool-center-point.end-moves: and so they do if G49 takes the offset back in a move. *)
 Definition control_left {num} {N : Numbers num} (s : setup num) (codes : list Z) (st : state num) : state num :=
   match in_control (control st), last_of lengths codes with
   | Some m, Some _ =>

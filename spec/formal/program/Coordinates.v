@@ -45,7 +45,7 @@ Definition additional_number {num} (b : block num) : option Z :=
   | Some w => match whole w with Some p => if (1 <=? p) && (p <=? 48) then Some p else None | None => None end
   end.
 
-(** fanuc.program.additional-system: G54 with a P is G54.1, where P belongs to nothing else of the block. *)
+(** fanuc.program.additional-system: G54 with a P is G54.1, unless P belongs to another code of the block. *)
 Definition takes_p {num} (codes : list Z) (b : block num) : bool :=
   takes_letters codes || existsb (fun code => among code [300; 434; 435]) codes ||
   match last_of cycles codes with Some code => negb (code =? 800) | None => false end ||
@@ -63,12 +63,13 @@ Definition select_system {num} (codes : list Z) (b : block num) (c : coordinates
       else Got (with_system (Standard (code / 10 - 53)))
   end.
 
-(** fanuc.program.local-system: G52 puts the origin of the local system of the axes it names to its words. *)
+(** fanuc.program.local-system: G52 moves the origin of the local system, for the axes that it names, to the values of
+    its words. *)
 Definition with_local {num} (numbers : some_values num) (c : coordinates num) : coordinates num :=
   Coordinates (selected c) (standard_origins c) (additional_origins c) (shifted c) (replace (local c) numbers).
 
-(** fanuc.program.shift: G92 calls the programmed position of the axes it names by its words; the shift ends their local
-    system. *)
+(** fanuc.program.shift: G92 gives the programmed position of the axes that it names the values of its words; the local
+    system of these axes ends. *)
 Definition with_shift {num} {N : Numbers num} (s : setup num) (numbers : some_values num) (programmed : values num)
     (c : coordinates num) : coordinates num :=
   let no_local := Coordinates (selected c) (standard_origins c) (additional_origins c) (shifted c)
@@ -80,7 +81,7 @@ Definition with_shift {num} {N : Numbers num} (s : setup num) (numbers : some_va
 
 (** fanuc.program.origin: G10 L2 and L20 write the origin of the axes that they name: under G90 the words replace it,
     under G91 they are added.
-    fanuc.program.origin-number: P of L2 is 0 to 6, of L20 that of G54.1; another number, and none, raises PS0031. *)
+    fanuc.program.origin-number: P of L2 is 0 to 6, of L20 that of G54.1; another number, or no P, raises PS0031. *)
 Definition with_origin {num} {N : Numbers num} (s : setup num) (incremental : bool) (l : Z) (b : block num)
     (numbers : some_values num) (c : coordinates num) : outcome (coordinates num) :=
   let new old := map2 (fun x number =>

@@ -16,7 +16,7 @@ Definition axis_to_drill {num} (s : setup num) (p : plane) : Letter.t :=
 (** What is in force with the codes of a block.
     fanuc.canned-cycle.mode: another cycle keeps what the mode has.
     fanuc.canned-cycle.cancel: a code of group 01 ends the mode, whatever else the block says, and so does G80; of G80
-    and codes of cycles the last counts.
+    and cycle codes the last one counts.
     fanuc.canned-cycle.initial-level: the mode begins where the drilling axis stands.
     fanuc.canned-cycle.return: G98 and G99 are modal, in the mode and outside it. *)
 Definition cycle_with {num} {N : Numbers num} (s : setup num) (codes : list Z) (p : plane) (before : cycle_state num) :
@@ -35,14 +35,14 @@ Definition cycle_with {num} {N : Numbers num} (s : setup num) (codes : list Z) (
        end)
     (match last_of return_levels codes with Some code => code =? 990 | None => to_point_r before end).
 
-(** fanuc.canned-cycle.drills: where it has an axis word or R. Letters that are data of another code do not count, nor
-    do those of a block with G52 or G92. Of a block in the mode. *)
+(** fanuc.canned-cycle.drills: a block drills if it has an axis word or R. Letters that are data of another code do not
+    count, nor do those of a block with G52 or G92. Of a block in the mode. *)
 Definition names_hole {num} (s : setup num) (codes : list Z) (b : block num) : bool :=
   let has letter := given (last_word letter (words b)) in
   let renaming := match action_of codes with Some LocalSystem | Some SetPosition => true | _ => false end in
   negb (takes_letters codes) && negb renaming && (existsb has (axes s) || has Letter.R).
 
-(** fanuc.canned-cycle.repeats: by K, else by L, but the L of M98; else one. Without units and increments; none where it
+(** fanuc.canned-cycle.repeats: by K, else by L, except the L of M98; else one. Without units and increments; none if it
     is no whole number up to 9999. *)
 Definition hole_count {num} (b : block num) : option Z :=
   let calls (w : word num) := match address w, tenths w with Letter.M, Some t => t =? 980 | _, _ => false end in
@@ -121,11 +121,12 @@ Definition cycle_alarms {num} {N : Numbers num} (s : setup num) (c : command num
 
 (** * Holes *)
 
-(** fanuc.canned-cycle.position: the position of the holes is that of the axis words beside the drilling axis. *)
+(** fanuc.canned-cycle.position: the axis words, except that of the drilling axis, give the position of the holes. *)
 Definition beside_drilling {num} (s : setup num) (axis : Letter.t) (numbers : some_values num) : some_values num :=
   map2 (fun here number => if here : bool then None else number) (the_axis s axis) numbers.
 
-(** fanuc.canned-cycle.repeats: under G91 each is the travel of the block further, under G90 all are in one place. *)
+(** fanuc.canned-cycle.repeats: under G91 each hole is further by the travel of the block, under G90 all holes are in
+    one place. *)
 Fixpoint hole_places {num} {N : Numbers num} (travels : bool) (numbers : some_values num) (count : nat)
     (from : values num) : list (values num) :=
   match count with
@@ -144,7 +145,7 @@ Definition numbers_of_all_holes {num} {N : Numbers num} (c : command num) (numbe
   | None => numbers
   end.
 
-(** fanuc.canned-cycle.position: the tool offset of before stays on its axes, the drilling axis included.
+(** fanuc.canned-cycle.position: an earlier tool offset stays on its axes, the drilling axis included.
     fanuc.canned-cycle.length-offset: the axes are those of the end of the block, with the offset in force there. *)
 Definition hole_at {num} {N : Numbers num} (s : setup num) (axis : Letter.t) (r bottom back : num) (st : state num)
     (position : values num) : hole num :=

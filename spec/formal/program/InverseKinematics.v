@@ -38,8 +38,8 @@ Definition reach_of {num} {N : Numbers num} (k : kinematics num) : reach num :=
   let b := dot3 u_w (cross3 u_t t0) in
   Reach (dot3 u_w p) a b (a * a + b * b)%num.
 
-(** fanuc.tool-posture.singular: +u_w can be reached where alpha = beta, -u_w where alpha + beta = 180, alpha the angle of
-    u_t and t0, beta that of u_t and u_w. *)
+(** fanuc.tool-posture.singular: +u_w can be reached if alpha = beta, -u_w if alpha + beta = 180, with alpha the angle
+    between u_t and t0 and beta the angle between u_t and u_w. *)
 Definition reaches_work_axis {num} {N : Numbers num} (k : kinematics num) (opposite : bool) : outcome bool :=
   let alpha := dot3 (about (tool_side k)) (reference_direction k) in
   let beta := dot3 (about (tool_side k)) (about (work_side k)) in
@@ -63,9 +63,9 @@ Definition work_position {num} {N : Numbers num} (k : kinematics num) (w v : tri
   let s := (dot3 u_w (cross3 w v) / size)%num in
   position_by (work_reversed k) c s.
 
-(** fanuc.tool-center-point.reach-toward-the-axis: V can stand no nearer to u_w than |alpha - beta|; not asked where they
-    are equal. fanuc.tool-center-point.reach-away-from-the-axis: and no farther than the smaller of alpha + beta and
-    360 - alpha - beta; not asked where that is 180.
+(** fanuc.tool-center-point.reach-toward-the-axis: V can be no nearer to u_w than |alpha - beta|; not asked if they are
+    equal. fanuc.tool-center-point.reach-away-from-the-axis: and no farther than the smaller of alpha + beta and
+    360 - alpha - beta; not asked if alpha + beta is 180.
     fanuc.tool-center-point.unreachable: else PS5459. Whether V is on the edge of reach: then there is one pair. *)
 Definition on_edge_of_reach {num} {N : Numbers num} (k : kinematics num) (rho c : num) : outcome bool :=
   let asked clause opposite x :=

@@ -22,7 +22,7 @@ Definition in_plane_of_space {num} (p : plane) (v : triple num) : pair num :=
   let '(x, y, z) := v in match p with XY => (x, y) | ZX => (z, x) | YZ => (y, z) end.
 
 (** fanuc.tool-center-point.lean: d is the programmed travel of the block.
-    fanuc.tool-center-point.lean-in-an-arc: in an arc, which is one by R, the tangent in space at its end:
+    fanuc.tool-center-point.lean-in-an-arc: in an arc, which is given by R, the tangent in space at its end:
     d = theta (u x r) + h u, with theta the sweep in radians, in the sense of the arc, u the normal of the plane, r the
     radius at the end, h the travel along u. Where h is 0 the length of d, and so theta, does not matter. Nothing in it
     depends on where the arc starts. *)
@@ -47,7 +47,7 @@ Definition travel_at_end {num} {N : Numbers num} (p : plane) (clockwise : bool) 
   end.
 
 (** fanuc.tool-center-point.lean: V' = R((V x d)/|V x d|, Q) V.
-    fanuc.tool-center-point.lean-along-the-travel: where V is parallel to d Q has no effect. *)
+    fanuc.tool-center-point.lean-along-the-travel: if V is parallel to d, Q has no effect. *)
 Definition leaned {num} {N : Numbers num} (q : num) (v d : triple num) : outcome (triple num) :=
   let n := cross3 v d in
   let square := dot3 n n in

@@ -63,8 +63,8 @@ Definition ofh {num} (s : setup num) : bool := bit s "5001#2".
 Definition tal {num} (s : setup num) : bool := bit s "5001#3".
 Definition evo {num} (s : setup num) : bool := bit s "5001#6".
 
-(** fanuc.length-offset.direction: the offset of the H number is added under G43 and subtracted under G44, with the sign
-    it has. *)
+(** fanuc.length-offset.direction: under G43 the offset of the H number is added, under G44 it is subtracted; it counts
+    with its sign. *)
 Definition signed {num} {N : Numbers num} (d : direction) (x : num) : num :=
   match d with Add => x | Subtract => (- x)%num end.
 
@@ -92,7 +92,7 @@ Definition named_axes {num} {N : Numbers num} (s : setup num) (c : length_comman
 (** fanuc.length-offset.type-a: type A offsets Z.
     fanuc.length-offset.type-b: type B offsets the axis at right angles to the plane of the block.
     fanuc.length-offset.type-c: type C offsets the axis that the block with G43 or G44 names.
-    fanuc.length-offset.type-c-last-axis: a lone H of type C acts on the axis offset last. *)
+    fanuc.length-offset.type-c-last-axis: in type C an H without G43 or G44 acts on the axis offset last. *)
 Definition affected {num} {N : Numbers num} (s : setup num) (c : length_command) (l : length_offset num) :
     outcome axis_set :=
   match type_of s with
@@ -102,11 +102,11 @@ Definition affected {num} {N : Numbers num} (s : setup num) (c : length_command)
   end.
 
 (** The number that the block brings into force.
-    fanuc.length-offset.ofh, fanuc.length-offset.ofh-lone-number: with OFH = 1 an H counts in a block with G43 or G44
-    only.
-    fanuc.length-offset.ofh-first-without-number: with OFH = 1 a G43 or G44 without H takes H0 where no length offset is
-    in force.
-    fanuc.length-offset.one-number: where the setup says g49_sets_h0, a G49 without H makes it 0. *)
+    fanuc.length-offset.ofh, fanuc.length-offset.ofh-lone-number: with OFH = 1 an H counts only in a block with G43 or
+    G44.
+    fanuc.length-offset.ofh-first-without-number: with OFH = 1 a G43 or G44 without H takes H0 if no length offset is in
+    force.
+    fanuc.length-offset.one-number: with g49_sets_h0 in the setup, a G49 without H makes it 0. *)
 Definition new_number {num} (s : setup num) (c : length_command) (l : length_offset num) : option Z :=
   match h c with
   | Some number => if ofh s && negb (sets_mode c) then None else Some number
@@ -137,9 +137,9 @@ Definition cancel {num} {N : Numbers num} (s : setup num) (l : length_offset num
 
 (** A block with G43, G44 or an H that counts.
     fanuc.length-offset.number-while-cancelled: while no length offset is in force an H stores its number.
-    fanuc.length-offset.number-only-stored: in a block with G40, G41 or G42 what would restore a vector stores number and
-    mode only.
-    fanuc.length-offset.restored-by-number: else it restores the vector on the axes it acts on. *)
+    fanuc.length-offset.number-only-stored: in a block with G40, G41 or G42 what would restore a vector only stores
+    number and mode.
+    fanuc.length-offset.restored-by-number: else it restores the vector on the axes on which it acts. *)
 Definition take {num} {N : Numbers num} (s : setup num) (o : offsets num) (c : length_command) (l : length_offset num) :
     outcome (length_offset num) :=
   let mode := match code c with Some G43 => Some Add | Some G44 => Some Subtract | _ => in_force l end in

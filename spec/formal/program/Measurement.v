@@ -7,7 +7,7 @@ Open Scope string_scope.
 Open Scope Z_scope.
 Open Scope list_scope.
 
-(** fanuc.length-measurement.zones: 20 mm and 5 mm where the setup does not give them. *)
+(** fanuc.length-measurement.zones: 20 mm and 5 mm if the setup does not give them. *)
 Definition length_parameter {num} {N : Numbers num} (s : setup num) (number : string) (millimetres : Z) : num :=
   let default := integer millimetres in
   or_else (parameter s number) (if inches s then (default * integer 10 / integer 254)%num else default).
@@ -16,7 +16,7 @@ Definition zone {num} {N : Numbers num} (s : setup num) : num := length_paramete
 
 (** The alarms of its words, in their order.
     fanuc.length-measurement.number-in-block: an H word in the block raises PS0082.
-    fanuc.length-measurement.number-zero: PS0081 while the H number of the length offset is 0.
+    fanuc.length-measurement.number-zero: PS0081 if the H number of the length offset is 0.
     fanuc.length-measurement.axis: exactly one axis word, of a linear axis, and G90, else PS0083.
     fanuc.length-measurement.with-length-code: G43, G44 or G49 in the block raises MEASUREMENT_FORMAT.
     fanuc.length-measurement.in-cutter-compensation: while cutter compensation is on PS0036.
@@ -45,11 +45,11 @@ Record measurement_path (num : Type) := MeasurementPath {
 Arguments MeasurementPath {num}. Arguments rapid_to {num}. Arguments measuring_to {num}. Arguments reached {num}.
 Arguments in_zone {num}.
 
-(** From A to D; the signal at the programmed coordinate p, where there is one.
-    fanuc.length-measurement.start-on-the-coordinate: where A is D the run ends undecided.
-    fanuc.length-measurement.rapid-part: where A is B or lies between B and D the measuring part begins at A.
-    fanuc.length-measurement.signal-from-the-start: where the signal is on at B the position reached is B.
-    fanuc.length-measurement.too-late: where the signal has not come up to F the axis stops there.
+(** From A to D; the signal at the programmed coordinate p, if there is one.
+    fanuc.length-measurement.start-on-the-coordinate: if A is D, the run ends undecided.
+    fanuc.length-measurement.rapid-part: if A is B or lies between B and D, the measuring part begins at A.
+    fanuc.length-measurement.signal-from-the-start: if the signal is on at B, the position reached is B.
+    fanuc.length-measurement.too-late: if the signal has not come up to F, the axis stops there.
     fanuc.length-measurement.too-early: a signal before C raises PS0080 too. *)
 Definition measure {num} {N : Numbers num} (s : setup num) (a d : num) (signal : option num) :
     outcome (measurement_path num) :=

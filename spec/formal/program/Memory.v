@@ -11,8 +11,8 @@ Record offsets (num : Type) := Offsets { by_h : table num; by_d : table num }.
 Arguments Offsets {num}. Arguments by_h {num}. Arguments by_d {num}.
 
 
-(** fanuc.memory.one-table-given: in memory A and B a number that a setup gives in one table counts for H and D; where
-    both tables give it each address reads its own. *)
+(** fanuc.memory.one-table-given: in memory A and B a number that the setup gives in only one table counts for both H
+    and D; if both tables give it, each address reads its own entry. *)
 Definition given_offsets {num} (s : setup num) : offsets num :=
   match memory s with
   | MemoryC => Offsets (h_offsets s) (d_offsets s)
@@ -28,7 +28,7 @@ Definition entry_of {num} {N : Numbers num} (by_ : number_by) (o : offsets num) 
 
 (** The largest value of the memory, in ten thousandths of a mm or hundred thousandths of an inch.
     fanuc.memory.value-too-large: geometry IS-A 999.99 mm, 99.999 inch; IS-B 999.999, 99.9999; IS-C 999.9999, 99.99999.
-    fanuc.memory.g10-range: wear a tenth of that in whole digits. *)
+    fanuc.memory.g10-range: wear one whole digit less. *)
 Definition largest {num} {N : Numbers num} (s : setup num) (wear : bool) : num :=
   let digits :=
     match least_increment s, wear with
@@ -63,8 +63,8 @@ Record writing (num : Type) := Writing {
 Arguments Writing {num}. Arguments of_address {num}. Arguments of_wear {num}. Arguments at_number {num}.
 Arguments for_h {num}. Arguments for_d {num}.
 
-(** fanuc.memory.g10-kind: memory A L11; B L10 geometry, L11 wear; C L10 and L11 for H, L12 and L13 for D; L1 is L11. Any
-    other L, and none, raises PS0010. *)
+(** fanuc.memory.g10-kind: memory A L11; B L10 geometry, L11 wear; C L10 and L11 for H, L12 and L13 for D; L1 is L11.
+    Any other L, or no L, raises PS0010. *)
 Definition store {num} (s : setup num) (l : option Z) : option (number_by * bool) :=
   lookup (or_else l 0)
     match memory s with
@@ -77,7 +77,7 @@ Definition store {num} (s : setup num) (l : option Z) : option (number_by * bool
 Definition whole_word {num} (letter : Letter.t) (b : block num) : option Z :=
   match last_word letter (words b) with Some w => whole w | None => None end.
 
-(** fanuc.memory.g10-number: a P that is not whole, 0, beyond the memory or missing raises PS0031.
+(** fanuc.memory.g10-number: a P that is not whole, is 0, is beyond the memory or is missing raises PS0031.
     fanuc.memory.g10-value: without R nothing is written; on the 30i PS0031.
     fanuc.memory.g10-adds: under G90 the value replaces the stored one, under G91 it is added.
     fanuc.memory.g10-range: beyond the range of its store PS0032. *)
@@ -109,7 +109,7 @@ Definition written {num} {N : Numbers num} (s : setup num) (m : modes) (o : offs
   | None => Alarm "g10-number"
   end.
 
-(** fanuc.memory.kinds, fanuc.memory.one-table-given: in memory A and B H and D share what is written; where both tables
+(** fanuc.memory.kinds, fanuc.memory.one-table-given: in memory A and B H and D share what is written; if both tables
     have the number, each adds to its own. *)
 Definition write {num} {N : Numbers num} (s : setup num) (w : writing num) (o : offsets num) : offsets num :=
   let put by_ t :=

@@ -73,7 +73,7 @@ Definition at_heads {num} (head : values num) (b : planned num) : planned num :=
   with_items b (map (fun i => match i with Go m => Go (with_head m head) | i => i end) (items b)).
 
 (** The direction of the tool as a state stands, of any length: under tool center point control the one it has come to.
-    fanuc.tool-direction.given-directly: where it comes from does not matter. *)
+    fanuc.tool-direction.given-directly: it does not matter where it comes from. *)
 Definition tool_of {num} {N : Numbers num} (s : setup num) (st : state num) : triple num :=
   match in_control (control st) with
   | Some m => direction m
@@ -182,7 +182,7 @@ Definition reference_return {num} {N : Numbers num} (s : setup num) (target : va
 (** fanuc.program.return-from-reference: through the intermediate point of the last reference return to the commanded
     point, both in rapid traverse.
     fanuc.program.return-incremental: under G91 the words count from the intermediate point.
-    fanuc.program.return-without-intermediate: an axis without one has its current position for one. *)
+    fanuc.program.return-without-intermediate: an axis without one uses its current position as one. *)
 Definition return_from_reference {num} {N : Numbers num} (s : setup num) (numbers : some_values num) (st : state num) :
     state num * list (movement num) :=
   let named := which numbers in

@@ -22,7 +22,7 @@ Definition runs_arc {num} (m : modes) (s : setup num) (numbers : some_values num
   end.
 
 (** None: a straight line.
-    fanuc.program.arc-radius-wins: where R and I J K are both given, R counts.
+    fanuc.program.arc-radius-wins: if R and I J K are both given, R counts.
     fanuc.program.arc-radius-without-chord: R with an end that is the start is an arc of 0 degrees.
     fanuc.program.arc-without-center: without both of them PS0022, or with CIR = 0 a straight line. *)
 Definition arc_between {num} {N : Numbers num} (s : setup num) (m : modes) (refused_later : bool) (b : block num)
@@ -63,7 +63,7 @@ Definition grown {num} {N : Numbers num} (s : setup num) (m : modes) (b : block 
 (** * The movement *)
 
 (** A block without a code that sends axes elsewhere: its own move.
-    fanuc.program.own-move, fanuc.length-offset.move-without-axis-word: without an axis word only where the offset
+    fanuc.program.own-move, fanuc.length-offset.move-without-axis-word: without an axis word only if the offset
     changes. *)
 Definition own_move {num} {N : Numbers num} (s : setup num) (numbers : some_values num) (b : block num)
     (circle_of : option (circle num)) (changed : bool) (longer : option num) (st : state num) :
@@ -108,9 +108,9 @@ Definition own_move {num} {N : Numbers num} (s : setup num) (numbers : some_valu
     move without travel.
     fanuc.length-measurement.coordinate: the signal's position is that of the axis; less length offset and shift it is a
     programmed coordinate.
-    fanuc.length-measurement.feed: the second move carries 6241, or F where the setup does not give it.
+    fanuc.length-measurement.feed: the second move carries 6241, or F if the setup does not give it.
     fanuc.length-measurement.position-after: the programmed position is then the one reached.
-    fanuc.length-measurement.moves-before-the-alarm: PS0080 comes behind the moves, and the value is not changed. *)
+    fanuc.length-measurement.moves-before-the-alarm: PS0080 comes after the moves, and the value is not changed. *)
 Definition measurement {num} {N : Numbers num} (s : setup num) (numbers : some_values num) (st : state num) :
     outcome (state num * list (movement num) * option string * option (writing num)) :=
   let l := length_of st in

@@ -121,8 +121,8 @@ Definition carried_back {num} {N : Numbers num} (a : rotary_axis num) (x : angle
 (** The positions of both rotary axes. *)
 Definition pose (num : Type) := (angle num * angle num)%type.
 
-(** fanuc.tool-direction.mechanism: V = R(u_w, sigma_w omega) R(u_t, sigma_t tau) t0; a table acts on the direction
-    backwards.
+(** fanuc.tool-direction.mechanism: V = R(u_w, sigma_w omega) R(u_t, sigma_t tau) t0; a turn of a table acts on the
+    direction backwards.
     fanuc.tool-direction.table-outside-tip-control: so it is seen from the table at its zero pose. *)
 Definition direction_at {num} {N : Numbers num} (k : kinematics num) (p : pose num) : triple num :=
   let '(a1, a2) := p in
@@ -153,7 +153,7 @@ Definition direction_in_machine {num} {N : Numbers num} (k : kinematics num) (p 
 
 (** fanuc.tool-direction.of-pose: VT points from the tip to the holder and follows the positions of the rotary axes. A
     setup without rotary axes that turn the tool has none to tell.
-    fanuc.tool-direction.older-parameters: 19680 counts before 19610; VT = R2(phi - phi0) R1(theta - theta0) v0.
+    fanuc.tool-direction.older-parameters: 19680 takes precedence over 19610; VT = R2(phi - phi0) R1(theta - theta0) v0.
     fanuc.tool-direction.older-tool-axis: v0 = (cos RA sin RB, -sin RA, cos RA cos RB). *)
 Definition tool_axis_at {num} {N : Numbers num} (s : setup num) (c : coordinates num) (position : values num) :
     option (triple num) :=

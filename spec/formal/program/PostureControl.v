@@ -32,7 +32,7 @@ Definition singular_at {num} {N : Numbers num} (clause : string) (k : kinematics
 Definition conventionally {num} (warned : bool) (from to : pose num) : rotary_run num :=
   RotaryRun from from to to false false Evenly warned.
 
-(** fanuc.tool-posture.pre-turn, fanuc.tool-posture.post-turn: made only where the position changes. *)
+(** fanuc.tool-posture.pre-turn, fanuc.tool-posture.post-turn: made only if the position changes. *)
 Definition is_turn (c : comparison) : bool := match c with Eq => false | _ => true end.
 
 (** * A singular start *)
@@ -52,8 +52,8 @@ Definition branch_of_pair {num} {N : Numbers num} (k : kinematics num) (opposite
 
 (** fanuc.tool-posture.at-start: the great circle is followed back from the end pair to the start; the work-side axis turns
     to the value found there before the block (fanuc.tool-posture.pre-turn).
-    fanuc.tool-posture.branch-mismatch: where the tool-side axis does not come to its position at the start the block runs
-    under conventional control. *)
+    fanuc.tool-posture.branch-mismatch: if the tool-side axis, followed back, does not come to its position at the
+    start, the block runs under conventional control. *)
 Definition from_singular {num} {N : Numbers num} (k : kinematics num) (opposite : bool) (from to : pose num)
     (vs ve ve_from_zero : triple num) : outcome (rotary_run num) :=
   let '(tau, omega) := sides_of k from in
@@ -76,8 +76,9 @@ Definition from_singular {num} {N : Numbers num} (k : kinematics num) (opposite 
 
 (** * The branch *)
 
-(** fanuc.tool-posture.branch: the sign with which the tool-side angle stands beside the one at which the tool is nearest to
-    u_w. At a start on the edge of reach it is the one toward the pair; where that lies on the same edge, the one above. *)
+(** fanuc.tool-posture.branch: the side on which the tool-side angle lies, seen from the angle at which the tool is
+    nearest to u_w, given as a sign. At a start on the edge of reach it is the one toward the pair; if that pair is on
+    the same edge, the one above. *)
 Definition branch_at_start {num} {N : Numbers num} (k : kinematics num) (tau : angle num) (pair : outcome (pose num)) :
     outcome bool :=
   let clause := "fanuc.tool-posture.branch" in
@@ -109,7 +110,7 @@ Definition branch_at_start {num} {N : Numbers num} (k : kinematics num) (tau : a
 
 (** fanuc.tool-posture.at-end: the work-side axis ends where the great circle leads it in the limit.
     fanuc.tool-posture.post-turn: type 1: then it turns to the position commanded.
-    fanuc.tool-posture.branch-mismatch: type 1, where the tool side is not the one commanded: conventional control.
+    fanuc.tool-posture.branch-mismatch: type 1, if the tool side is not the one commanded: conventional control.
     fanuc.tool-center-point.range-none: type 2, an end pair outside raises PS5459. *)
 Definition end_in_range {num} {N : Numbers num} (s : setup num) (to : pose num) : outcome unit :=
   '(first_range, second_range) <- ranges s ;;
@@ -172,8 +173,8 @@ Definition crossing_of {num} {N : Numbers num} (k : kinematics num) (p : circle_
   let through opposite := in_work_plane p && foot_inside p opposite in
   Got (if first && through false then Some false else if second && through true then Some true else None).
 
-(** fanuc.tool-posture.reach-inside: asked at the point nearest to u_w, where its foot lies inside and alpha differs from
-    beta, and at the farthest, where the foot of -u_w lies inside and alpha + beta differs from 180. *)
+(** fanuc.tool-posture.reach-inside: asked at the point nearest to u_w, if the foot of u_w lies inside and alpha differs
+    from beta, and at the farthest, if the foot of -u_w lies inside and alpha + beta differs from 180. *)
 Definition stays_in_reach {num} {N : Numbers num} (k : kinematics num) (p : circle_place) (n : triple num) : outcome unit :=
   let r := reach_of k in
   let rho := root (radius_square r) in
@@ -251,8 +252,8 @@ Definition cosine_of_distance {num} {N : Numbers num} (k : kinematics num) (p : 
     Got (if start_nearer : bool then at_start else at_end).
 
 (** fanuc.tool-posture.near-limit: 19738; at 0 or below none.
-    fanuc.tool-posture.nearer-singular: where both exist the one nearer counts, +u_w where they are equally near. One whose
-    foot lies inside is no farther than the other.
+    fanuc.tool-posture.nearer-singular: if both exist, the one nearer counts, and +u_w if they are equally near. One
+    whose foot lies inside is no farther than the other.
     fanuc.tool-posture.near: strictly smaller than 19738, as an angle from 0 to 180. The singular direction that is near. *)
 Definition near_singular {num} {N : Numbers num} (s : setup num) (k : kinematics num) (p : circle_place)
     (n vs ve : triple num) : outcome (option bool) :=
@@ -288,8 +289,8 @@ Definition near_singular {num} {N : Numbers num} (s : setup num) (k : kinematics
            is_positive clause (distance - cosine limit)%num) ;;
     Got (if near : bool then Some opposite else None).
 
-(** fanuc.tool-posture.veto: the end is not changed where |omega_e - omega_s0 - 180| is over 19739; below 0 it always
-    vetoes, from 180 on never. *)
+(** fanuc.tool-posture.veto: the end is not changed if |omega_e - omega_s0 - 180| is over 19739; a limit below 0 always
+    vetoes, a limit of 180 or more never does. *)
 Definition vetoed {num} {N : Numbers num} (s : setup num) (omega omega_e : angle num) : outcome bool :=
   let clause := "fanuc.tool-posture.veto" in
   let limit := parameter_of s "19739" in
@@ -315,8 +316,8 @@ Definition changed_end {num} {N : Numbers num} (k : kinematics num) (opposite ab
 (** * A block *)
 
 (** Type 2, where no singular posture is met: the end pair, or near a singular posture the changed one; whether it is.
-    fanuc.tool-posture.passing: then the rotary axes run evenly, the work side standing.
-    fanuc.tool-posture.refused: 19696#3: where a near end is not changed, by the veto or by the range, PS5421. *)
+    fanuc.tool-posture.passing: then the rotary axes run evenly, and the work side stands.
+    fanuc.tool-posture.refused: 19696#3: if a near end is not changed, because of the veto or the range, PS5421. *)
 Definition to_direction {num} {N : Numbers num} (s : setup num) (k : kinematics num) (crossing : option bool)
     (above edge : bool) (p : circle_place) (from : pose num) (n vs ve ve_from_zero : triple num) :
     outcome (rotary_run num * bool) :=

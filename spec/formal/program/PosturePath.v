@@ -72,7 +72,7 @@ Definition beside_inside {num} {N : Numbers num} (k : kinematics num) (above : b
 
 (** fanuc.tool-posture.lift: the positions where the tool has this direction, from those at the start, or from those at the
     end where the start is singular.
-    fanuc.tool-posture.crossing: behind a singular direction that is crossed the tool side is on its other branch. *)
+    fanuc.tool-posture.crossing: after a singular direction that is crossed the tool side is on its other branch. *)
 Definition pose_on_circle {num} {N : Numbers num} (k : kinematics num) (g : great_circle num) (part : Z * Z)
     (v : triple num) : outcome (pose num) :=
   let '(tau, omega) := anchor g in

@@ -12,7 +12,7 @@ Open Scope list_scope.
 
 (** * What a block says *)
 
-(** fanuc.program.offset-number-range: an H or D number beyond the number of offsets raises PS0030. *)
+(** fanuc.program.offset-number-range: an H or D number greater than the number of offsets raises PS0030. *)
 Definition offset_number {num} (s : setup num) (letter : Letter.t) (b : block num) : outcome (option Z) :=
   match last_word letter (words b) with
   | None => Got None
@@ -23,7 +23,7 @@ Definition offset_number {num} (s : setup num) (letter : Letter.t) (b : block nu
       end
   end.
 
-(** fanuc.program.feed: F is modal. fanuc.program.feed-mode: under G93 and G95 it is no feed per minute. *)
+(** fanuc.program.feed: F is modal. fanuc.program.feed-mode: under G93 and G95 it is not a feed per minute. *)
 Definition next_feed {num} {N : Numbers num} (s : setup num) (m : modes) (b : block num) (before : option num) :
     option num :=
   if negb (feed_per_minute m) then None
@@ -72,7 +72,7 @@ Definition differs {num} {N : Numbers num} (a b : values num) : outcome bool :=
 
 (** fanuc.length-offset.shifted-system: with 5006#6 = 1 the length offset shifts the coordinate system: the position is
     renamed by the change.
-    fanuc.length-offset.shifted-in-compensation: while a compensation is on the run is left undecided. *)
+    fanuc.length-offset.shifted-in-compensation: while a compensation is on, the run ends undecided. *)
 Definition shifts_system {num} (s : setup num) : bool := bit s "5006#6".
 Definition in_shifted_system {num} {N : Numbers num} (s : setup num) (c : length_command) (compensates : bool)
     (st : state num) (position : values num) : outcome (values num) :=

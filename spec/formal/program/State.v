@@ -31,7 +31,7 @@ Arguments edge {num}. Arguments control {num}. Arguments cycle {num}.
 
 (** fanuc.program.initial-state: G00 G17 G90 G94 G40 G49 G54 G80 G98, at the position of the setup, with H0 and D0,
     without F. *)
-(** fanuc.program.feed: 1411 is the F at power-on, where it is not 0. *)
+(** fanuc.program.feed: 1411 is the F at power-on unless it is 0. *)
 Definition initial_feed {num} (s : setup num) : option num :=
   match whole_parameter s "1411" with Some 0 => None | _ => parameter s "1411" end.
 

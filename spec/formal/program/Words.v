@@ -103,7 +103,7 @@ Definition bit {num} (s : setup num) (parameter : string) : bool := or_else (par
 
 Definition zeros {num} {N : Numbers num} (s : setup num) : values num := map (fun _ => 0%num) (axes s).
 
-(** fanuc.program.last-word-of-address: Of several words with one address in a block the last counts. *)
+(** fanuc.program.last-word-of-address: if a block has several words with one address, the last one counts. *)
 Definition last_word {num} (letter : Letter.t) (ws : list (word num)) : option (word num) :=
   find (fun w => Letter.eqb (address w) letter) (rev ws).
 

@@ -88,7 +88,7 @@ TEST(PeripheralMillingVectors, Rules) {
       {"M30 in a compensated",
        {"2 programmed tip=0,-10,0", "3 start-up tip=0,-0.1,0 shift=0,-0.1,0",
         "4 programmed tip=20,-0.1,0 shift=0,-0.1,0"}},
-      {"END PGM behind it:",
+      {"END PGM after a",
        {"2 programmed tip=0,-10,0", "3 start-up tip=0,-0.1,0 shift=0,-0.1,0",
         "4 programmed tip=20,-0.1,0 shift=0,-0.1,0"}},
       {"RL from an L block",

@@ -62,7 +62,7 @@ TEST(ProgrammedContourVectors, Rules) {
         "4 programmed tip=4.94,2,2.62 shift=-0.26,0,0.02 contact=1,2,3", "5 programmed tip=5,2,3",
         "7 programmed tip=4.94,2,2.62 shift=-0.26,0,0.02 contact=1,2,3",
         "9 programmed tip=0.74,2,3.02 shift=-0.26,0,0.02 contact=-3.2,2,3.4"}},
-      {"CNT-CNT does not count",
+      {"CNT-CNT has no effect",
        {"4 programmed tip=4.94,2,2.62 shift=-0.26,0,0.02 contact=1,2,3", "5 programmed tip=5,2,1",
         "6 programmed tip=1,2,3 axis=0.6,0,0.8 contact=1,2,3 flat"}},
       {"Round a square under",
