@@ -127,7 +127,8 @@ def needs(vector, said, alarm):
     found = {"arcs": re.search(r"\bG0?[23]\b", program), "incremental": "G91" in program, "planes": re.search(r"\bG1[89]\b", program),
              "inch": vector["setup"].get("units") == "inch" or "G20" in program, "type-b": "5003#0" in parameters,
              "length-type": {"5001#0", "5001#1"} & set(parameters), "no-check": "5008#0" in parameters,
-             "ranges": "19741" in parameters, "alarm": alarm, vector.get("machine"): True}
+             "ranges": "19741" in parameters,
+             "alarm": alarm and alarm["cause"] != "interference", "interference": alarm and alarm["cause"] == "interference", vector.get("machine"): True}
     unknown = set(vector["needs"]) - set(said["named"])
     if unknown or set(found) - set(said["found"]) - {None}:
         sys.exit(f"{vector['family']}.toml, {vector['name']}: starter.toml does not know the needs {sorted(unknown) or sorted(map(str, found))}")
