@@ -113,6 +113,7 @@ def settings(vector, meanings):
              f", set to {'inches' if units == 'inch' else 'millimetres'}. Axes {' '.join(axes)}, all at 0 at the beginning."]
     words += [machine["words"]] if machine else []
     words += [f"{name} = {bare(value)}, {'a radius' if name[0] == 'D' else 'a length'}." for name, value in offsets.items()]
+    words += ["Start-up and cancel are of type A."] if "cutter" in vector["section"] and "5003#0" not in parameters else []
     words += [f"Parameter {name} = {bare(value)}: {meanings[name]}" for name, value in parameters.items() if not machine or name[:3] != "196"]
     words += ["The tool table has " + ", ".join(f"{key} {bare(value)}" for key, value in tool.items() if key != "number") +
               f" for tool {bare(tool['number'])}."] if tool else []
@@ -140,7 +141,7 @@ def described(vector, said, meanings, text):
     expect = expected(vector, fields["axes"], text)
     return {"name": vector["name"], "family": vector["family"], "section": vector["section"],
             "needs": needs(vector, said, expect["alarm"]), "shows": vector["shows"], "catches": vector["catches"],
-            "program": vector["program"], "settings": fields, "expect": expect, "by_hand": vector.get("by_hand"),
+            "program": vector["program"], "settings": fields, "expect": expect, "by_hand": vector["by_hand"],
             "picture": f"pictures/{vector['name']}.svg"}
 
 
@@ -160,7 +161,7 @@ def as_csv(vectors):
         writer.writerow([vector["name"], vector["family"], vector["section"], " ".join(vector["needs"]), vector["shows"], vector["catches"],
                          "\n".join(vector["program"]), fields["words"], fields["control"], fields["units"], "".join(fields["axes"]), pairs(fields["offsets"]),
                          pairs(fields["parameters"]), (fields["machine"] or {}).get("type", ""), pairs(fields["tool"]), points,
-                         alarm["line"], alarm["number"], alarm["cause"], bare(expect["tolerance"]), vector["by_hand"] or "", vector["picture"]])
+                         alarm["line"], alarm["number"], alarm["cause"], bare(expect["tolerance"]), vector["by_hand"], vector["picture"]])
     return out.getvalue()
 
 
@@ -174,7 +175,7 @@ HEADER = """/* SPDX-License-Identifier: Apache-2.0 */
 
 /* A value by its name: offsets D1, H1, H1.wear; parameters 5003#0; of a Heidenhain tool: number, R, R2, DL, DR, DR2. */
 struct toolcomp_starter_setting {
-  const char *name;
+  const char* name;
   double value;
 };
 
@@ -186,21 +187,23 @@ struct toolcomp_starter_point {
 
 struct toolcomp_starter_vector {
   const char *name, *family, *section;
-  const char *needs; /* names with a space between */
+  const char* needs; /* names with a space between */
   const char *shows, *catches;
-  const char *program; /* lines with a line feed between */
-  const char *words;   /* the settings in words */
+  const char* program; /* lines with a line feed between */
+  const char* words;   /* the settings in words */
   const char *control, *units;
-  const char *axes;    /* letters, such as XYZBC */
-  const char *machine; /* head-head, table-table, head-table or nothing */
-  const struct toolcomp_starter_setting *settings;
+  const char* axes;    /* letters, such as XYZBC */
+  const char* machine; /* head-head, table-table, head-table or nothing */
+  const struct toolcomp_starter_setting* settings;
   int setting_count;
-  const struct toolcomp_starter_point *points;
+  const struct toolcomp_starter_point* points;
   int point_count;
   int alarm_line; /* 0: no alarm */
   const char *alarm_number, *alarm_cause;
   double tolerance;
 };
+
+/* clang-format off */
 """
 
 
@@ -225,7 +228,7 @@ def as_header(version, vectors):
 
     return (HEADER.replace("VERSION\"", version + "\"").replace("VERSION.", version + ".") + array("setting", "settings", ["  " + v for v in values]) +
             array("point", "points", ["  " + p for p in points]) + array("vector", "vectors", rows) +
-            f"\n#define TOOLCOMP_STARTER_COUNT {len(rows)}\n\n#endif\n")
+            f"/* clang-format on */\n\n#define TOOLCOMP_STARTER_COUNT {len(rows)}\n\n#endif\n")
 
 
 def files(toolcomp):
@@ -243,7 +246,7 @@ def files(toolcomp):
     package = {"name": "toolcomp-starter", "version": version, "license": "Apache-2.0",
                "description": "Test vectors of CNC tool compensation: G41, G43, G43.4, LN, each with its exact result",
                "keywords": ["cnc", "g-code", "g41", "cutter compensation", "test vectors"], "main": "starter.json",
-               "files": ["starter.json", "starter.schema.json", "starter.csv", "starter.h", "pictures", "runners"]}
+               "files": ["starter.json", "starter.schema.json", "starter.csv", "starter.h", "README.md", "pictures", "runners"]}
     return {"starter.json": text, "starter.csv": as_csv(vectors), "starter.h": as_header(version, vectors),
             "package.json": json.dumps(package, indent=2) + "\n",
             **{vector["picture"]: picture for vector, picture in zip(vectors, pictures)}}

@@ -4,8 +4,8 @@
  *     cc -std=c99 run.c -lm -o run && ./run
  *     cc -std=c99 -DCONTROLLER='"mine.c"' run.c -lm -o run && ./run
  *
- * The file of the controller defines `sections` and `needs`, which name what it knows, and `your_function`, which fills in
- * where the axes go at the end of each move, in the order of vector->axes, and the alarm if one ends the program.
+ * The file of the controller defines `sections` and `needs`, which name what it knows, and `your_function`, which fills
+ * in where the axes go at the end of each move, in the order of vector->axes, and the alarm if one ends the program.
  * Exit status: 0 all agree, 1 one does not, or nothing was compared. */
 #include <ctype.h>
 #include <math.h>
