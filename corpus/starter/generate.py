@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Makes starter.json, starter.csv, starter.h, package.json and pictures/ from sources/, by the exact model.
+"""Makes starter.json, starter.csv, starter.h, package.json, LICENSE and pictures/ from sources/, by the exact model.
 
 generate.py --toolcomp FILE [--check]: --check writes nothing, names the files that are not current, and ends with 1.
 """
@@ -248,7 +248,7 @@ def files(toolcomp):
                "keywords": ["cnc", "g-code", "g41", "cutter compensation", "test vectors"], "main": "starter.json",
                "files": ["starter.json", "starter.schema.json", "starter.csv", "starter.h", "README.md", "pictures", "runners"]}
     return {"starter.json": text, "starter.csv": as_csv(vectors), "starter.h": as_header(version, vectors),
-            "package.json": json.dumps(package, indent=2) + "\n",
+            "package.json": json.dumps(package, indent=2) + "\n", "LICENSE": (HERE / "../../LICENSE").read_text(),
             **{vector["picture"]: picture for vector, picture in zip(vectors, pictures)}}
 
 
@@ -270,7 +270,7 @@ def main():
         (HERE / name).write_text(made[name])
     for name in gone:
         (HERE / name).unlink()
-    print(f"{len(made) - 4} vectors, {len(stale)} files written, {len(gone)} removed")
+    print(f"{sum(name.startswith('pictures/') for name in made)} vectors, {len(stale)} files written, {len(gone)} removed")
     return 0
 
 
