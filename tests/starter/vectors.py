@@ -17,6 +17,8 @@ import tomllib
 import unittest
 from decimal import Decimal
 
+import jsonschema
+
 SOURCE, TOOLCOMP = (pathlib.Path(sys.argv[sys.argv.index(name) + 1]).resolve() for name in ("--source", "--toolcomp"))
 HERE, STARTER = SOURCE / "tests/starter", SOURCE / "corpus/starter"
 PYTHON = "/usr/bin/python3"
@@ -69,6 +71,19 @@ def failed(controller):
 class Vectors(unittest.TestCase):
     def test_current(self):
         self.assertEqual(commanded(PYTHON, "-B", STARTER / "generate.py", "--toolcomp", TOOLCOMP, "--check"), (0, ""))
+
+    def test_schema_has_no_free_properties(self):
+        judge = jsonschema.Draft202012Validator(json.loads((STARTER / "starter.schema.json").read_text()))
+        whole = {**WHOLE, "vectors": [v for v in WHOLE["vectors"] if v["name"] in ("torus", "head-head-lean", "notch")]}
+        self.assertTrue(judge.is_valid(whole))
+        places = [whole]
+        while places:
+            place = places.pop()
+            if isinstance(place, dict):
+                place["No such name"] = {}
+                self.assertFalse(judge.is_valid(whole), list(place))
+                del place["No such name"]
+            places += place.values() if isinstance(place, dict) else place if isinstance(place, list) else []
 
     def test_lines_and_lengths_by_geometry(self):
         counted = {"lines": 0, "lengths": 0}
