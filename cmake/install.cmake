@@ -43,4 +43,7 @@ foreach(folder golden hard regression seeds)
 endforeach()
 install(FILES corpus/proofs/unproven.json DESTINATION ${data}/corpus/proofs)
 install(DIRECTORY examples DESTINATION ${data} PATTERN __pycache__ EXCLUDE)
+# Test vectors that need nothing of ours (docs/starter.md).
+install(DIRECTORY corpus/starter/ DESTINATION ${CMAKE_INSTALL_DATADIR}/toolcomp-starter USE_SOURCE_PERMISSIONS
+  PATTERN sources EXCLUDE PATTERN generate.py EXCLUDE PATTERN LICENSE EXCLUDE PATTERN __pycache__ EXCLUDE)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
