@@ -30,7 +30,7 @@ toolcomp_status status_of_exception(toolcomp_error* error, std::uint64_t before)
     report(error, 0, 0, fault.what());
     return TOOLCOMP_BAD_CALL;
   } catch (const std::bad_alloc&) {
-    report(error, 0, 0, "no memory");
+    report(error, 0, 0, "out of memory");
     return TOOLCOMP_NO_MEMORY;
   } catch (const std::exception& fault) {
     report(error, 0, 0, fault.what());

@@ -51,7 +51,7 @@ std::vector<KnownDifference> read_known(const fs::path& file, const fs::path& fo
                         {}};
     if (const Node* alarms = node.find("alarms")) one.alarms = reader.strings(*alarms, "alarms");
     if (std::ranges::any_of(known, [&](const KnownDifference& k) { return k.id == one.id; }))
-      reader.fail(node.at, "a second difference of the id \"" + one.id + "\"");
+      reader.fail(node.at, "a second difference with the id \"" + one.id + "\"");
     known.push_back(std::move(one));
   }
   return known;
@@ -59,13 +59,13 @@ std::vector<KnownDifference> read_known(const fs::path& file, const fs::path& fo
 
 double read_tolerance(const Reader& reader, const Node& tolerance) {
   const spec::Decimal width = reader.decimal(tolerance, "tolerance");
-  if (width.negative || width.is_zero()) reader.fail(tolerance.at, "tolerance: a positive length is expected");
+  if (width.negative || width.is_zero()) reader.fail(tolerance.at, "tolerance: expected a positive length");
   return std::stod(tolerance.text);
 }
 
 std::vector<fs::path> read_setups(const Reader& reader, const Node& setups, const fs::path& folder) {
   reader.expect(setups, Kind::array, "setups");
-  if (setups.items.empty()) reader.fail(setups.at, "setups: at least one is expected");
+  if (setups.items.empty()) reader.fail(setups.at, "setups: expected at least one");
   std::vector<fs::path> files;
   files.reserve(setups.items.size());
   for (const Node& setup : setups.items) files.push_back(file_beside(reader, setup, "setups", folder));
@@ -79,7 +79,7 @@ Adapter read_adapter(const Reader& reader, const Node& node, const fs::path& fol
   adapter.folder = folder;
   const Node& name = reader.needed(node, "name");
   adapter.name = reader.string(name, "name");
-  if (!is_adapter_name(adapter.name)) reader.fail(name.at, "name: lower case letters, digits and hyphens are expected");
+  if (!is_adapter_name(adapter.name)) reader.fail(name.at, "name: expected lower case letters, digits and hyphens");
   adapter.kind = static_cast<AdapterKind>(reader.choice(reader.needed(node, "kind"), "kind", {"pipe", "trace"}));
   const Node& command = reader.needed(node, "command");
   adapter.command = reader.string(command, "command");
@@ -90,7 +90,7 @@ Adapter read_adapter(const Reader& reader, const Node& node, const fs::path& fol
     adapter.known = read_known(file_beside(reader, *known, "known_differences", folder), folder);
   const bool trace = adapter.kind == AdapterKind::trace;
   const Node* tolerance = trace ? &reader.needed(node, "tolerance") : node.find("tolerance");
-  if (!trace && tolerance != nullptr) reader.fail(tolerance->at, "tolerance: only of kind \"trace\"");
+  if (!trace && tolerance != nullptr) reader.fail(tolerance->at, "tolerance: allowed only with kind \"trace\"");
   if (trace) adapter.tolerance = read_tolerance(reader, *tolerance);
   if (const Node* setups = trace ? &reader.needed(node, "setups") : node.find("setups"))
     adapter.setups = read_setups(reader, *setups, folder);
@@ -137,7 +137,7 @@ std::vector<Adapter> read_manifest(std::string_view text, const fs::path& file) 
   for (const Node& node : list.items) {
     adapters.push_back(read_adapter(reader, node, fs::absolute(file).parent_path()));
     if (!names.insert(adapters.back().name).second)
-      reader.fail(node.at, "a second adapter of the name \"" + adapters.back().name + "\"");
+      reader.fail(node.at, "a second adapter with the name \"" + adapters.back().name + "\"");
   }
   return adapters;
 }
@@ -178,8 +178,9 @@ void expect_programs(const Adapter& adapter) {
     if (on_path(program)) continue;
     std::string packages;
     for (const std::string& package : adapter.packages) packages += " " + package;
-    throw spec::InputError("--controller " + adapter.name, 0, 0,
-                           program + " is not on the path; packages:" + (packages.empty() ? " none named" : packages));
+    throw spec::InputError(
+        "--controller " + adapter.name, 0, 0,
+        program + " is not on PATH; packages that provide it:" + (packages.empty() ? " none named" : packages));
   }
 }
 

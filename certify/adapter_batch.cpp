@@ -42,9 +42,9 @@ std::vector<KnownPlace> read_known_places(const fs::path& file, const Adapter& a
     KnownPlace place;
     std::string rest;
     if (!(words >> place.id >> place.first >> place.last) || words >> rest)
-      throw spec::InputError(file.string(), number, 1, "ID FIRST LAST is expected");
+      throw spec::InputError(file.string(), number, 1, "expected ID FIRST LAST");
     if (adapter.known_difference(place.id) == nullptr)
-      throw spec::InputError(file.string(), number, 1, "no known difference is called \"" + place.id + "\"");
+      throw spec::InputError(file.string(), number, 1, "there is no known difference \"" + place.id + "\"");
     places.push_back(std::move(place));
   }
   return places;
@@ -84,17 +84,17 @@ std::string run_adapter(const Adapter& adapter, const std::string& option, const
 std::vector<std::string> why_not(const Adapter& adapter, const std::vector<spec::Case>& cases) {
   constexpr std::chrono::seconds kTimeout{10};
   if (adapter.kind != AdapterKind::trace)
-    throw spec::InputError(adapter.name, 0, 0, "only an adapter of kind trace says beforehand what it cannot run");
+    throw spec::InputError(adapter.name, 0, 0, "only an adapter of kind trace can say in advance what it cannot run");
   const TemporaryFolder batch;
   for (std::size_t i = 0; i < cases.size(); ++i) write_program(batch_folder(batch.path(), i), cases[i]);
   const std::string wrong = run_adapter(adapter, "--ask", batch.path(), cases.size(), kTimeout, {});
-  if (!wrong.empty()) throw spec::InputError(adapter.name, 0, 0, "was asked and gave no answer: " + wrong);
+  if (!wrong.empty()) throw spec::InputError(adapter.name, 0, 0, "was asked what it cannot run, and failed: " + wrong);
   std::vector<std::string> answers;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const fs::path folder = batch_folder(batch.path(), i);
     const std::vector<KnownPlace> known = read_known_places(folder / "known.txt", adapter);
     if (const auto absent = first_line(folder / "not_applicable.txt"))
-      answers.push_back(adapter.name + " has not: " + *absent);
+      answers.push_back(adapter.name + " does not have: " + *absent);
     else
       answers.push_back(known.empty() ? "" : adapter.name + " is known to differ: " + known.front().id);
   }

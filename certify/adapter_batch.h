@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A batch of programs for a trace adapter: folders written, the adapter's command run on them (docs/adapters.md).
+// A batch of programs for a trace adapter: writes the folders, and runs the command of the adapter on them
+// (docs/adapters.md).
 #pragma once
 
 #include <chrono>
@@ -24,26 +25,26 @@ void write_program(const std::filesystem::path& folder, const spec::Case& c);
 // The first line of a file that the adapter wrote, or nothing.
 std::optional<std::string> first_line(const std::filesystem::path& file);
 
-// Lines of a program where the adapter says that the controller is known to differ.
+// Lines of a program in which the adapter reports a known difference.
 struct KnownPlace {
   std::string id;
   std::uint64_t first = 0;
   std::uint64_t last = 0;
 };
-// Reads known.txt; nothing where there is none. Throws spec::InputError for lines that are not ID FIRST LAST, and for
+// Reads known.txt; empty if there is none. Throws spec::InputError for lines that are not ID FIRST LAST, and for
 // differences that the adapter's manifest does not know.
 std::vector<KnownPlace> read_known_places(const std::filesystem::path& file, const Adapter& adapter);
 
-// Runs the adapter's command with `option`, if any, on the batch to its end; what it says goes to `progress`. It is
-// killed when it takes longer than `timeout` for each program and six times that besides, and when `stop` says why.
-// What is wrong with it, or empty.
+// Runs the adapter's command with `option`, if any, on the batch to its end. Its lines go to `progress`. It is killed
+// if it takes longer than `timeout` for each program plus six times `timeout`, or if `stop` gives a reason. Returns
+// what went wrong, or an empty text.
 std::string run_adapter(const Adapter& adapter, const std::string& option, const std::filesystem::path& batch,
                         std::size_t programs, std::chrono::milliseconds timeout,
                         const std::function<void(const std::string&)>& progress,
                         const std::function<std::string()>& stop = {});
 
-// Why the controller cannot run each of these programs, or is known to run it otherwise; empty where neither is said.
-// Nothing is run: the adapter is asked. Throws spec::InputError where it gives no answer.
+// For each program: why the controller cannot run it, or which known difference it has; empty if there is neither. The
+// programs are not run; only the adapter is asked. Throws spec::InputError if it gives no answer.
 std::vector<std::string> why_not(const Adapter& adapter, const std::vector<spec::Case>& cases);
 
 }  // namespace toolcomp::certify

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contours for cutter compensation that every control can follow: inside corners alone.
+// Contours for cutter compensation that every control can follow, because they have only inside corners.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace toolcomp::certify {
 
-// In the plane, thousandths of a millimetre: the first axis of the plane, and the second.
+// A point in the plane, in thousandths of a millimetre: the first axis of the plane, and the second.
 struct Point {
   std::int64_t u = 0;
   std::int64_t v = 0;
@@ -21,7 +21,7 @@ struct Leg {
   bool ccw = false;
 };
 
-// Approach and retract lie exactly straight on with the first and the last leg, which are lines.
+// Approach and retract are exactly in line with the first and the last leg, which are lines.
 struct Contour {
   Point approach;
   Point start;
@@ -29,8 +29,8 @@ struct Contour {
   Point retract;
 };
 
-// Every corner turns left, so that a cutter on the left is inside; legs are long enough for a cutter of this radius, up
-// to 5 mm (thousandths), and arcs wide enough.
+// Every corner turns left, so that it is an inside corner for a cutter on the left. Legs are long enough, and arcs wide
+// enough, for a cutter of this radius (in thousandths of a millimetre, up to 5 mm).
 Contour inside_contour(fuzz::Choices& choose, std::int64_t radius);
 
 }  // namespace toolcomp::certify

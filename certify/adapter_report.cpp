@@ -22,7 +22,7 @@ namespace {
 std::string group_of(const std::string& machine) { return machine.empty() ? "programs" : machine; }
 
 std::string known_differences(const AdapterCampaign& campaign, const AdapterCertificate& certificate) {
-  std::vector<Row> rows{{"known difference", "why", "how it is told", "programs"}};
+  std::vector<Row> rows{{"known difference", "why", "how it is recognised", "programs"}};
   for (const KnownDifference& known : campaign.adapter.known) {
     const auto programs = std::ranges::count_if(certificate.runs, [&](const AdapterRun& run) {
       return std::ranges::find(run.known, known.id) != run.known.end();
@@ -36,7 +36,7 @@ std::string known_differences(const AdapterCampaign& campaign, const AdapterCert
 std::string machines(const AdapterCertificate& certificate) {
   std::vector<Row> rows{{"machine", "programs", "conform", "both refuse", "known differences", "differ",
                          "not applicable", "undecided", "failed", "not run", "samples", "largest distance",
-                         "of a rotary axis, degrees"}};
+                         "largest of a rotary axis, degrees"}};
   for (const MachineSummary& m : summaries(certificate)) {
     Row row{escape(group_of(m.machine)), std::to_string(m.programs)};
     for (const std::size_t count : m.outcomes) row.push_back(std::to_string(count));
@@ -49,10 +49,10 @@ std::string machines(const AdapterCertificate& certificate) {
 }
 
 std::string causes(const AdapterCertificate& certificate) {
-  std::vector<Row> rows{{"one mistake that explains what was found", "programs"}};
+  std::vector<Row> rows{{"one mistake that explains the difference", "programs"}};
   for (const LikelyCause& likely : likely_causes(certificate))
     rows.push_back({escape(likely.cause), std::to_string(likely.programs)});
-  return rows.size() == 1 ? "" : "<h2>What it looks like</h2>\n" + table(rows, 1);
+  return rows.size() == 1 ? "" : "<h2>Likely causes</h2>\n" + table(rows, 1);
 }
 
 // What did not conform, with its program.
@@ -68,7 +68,7 @@ std::string others(const AdapterCertificate& certificate) {
     out += "<h3>" + badge(name(run.outcome), tone) + " " + escape(run.c.id) + "</h3>\n";
     for (const std::string& id : run.known) out += "<p><code>" + escape(id) + "</code></p>\n";
     if (!run.why.empty()) out += "<p>" + escape(run.why) + "</p>\n";
-    if (run.result.cause) out += "<p>Looks like: " + escape(*run.result.cause) + "</p>\n";
+    if (run.result.cause) out += "<p>Likely cause: " + escape(*run.result.cause) + "</p>\n";
     if (run.outcome == RunOutcome::differs && run.result.samples > 0)
       out += fmt::format("<p><a href=\"runs/{0}/report/index.html\">trace {0}</a></p>\n",
                          escape(run.folder.filename().string()));
@@ -142,7 +142,7 @@ std::string html_report(const AdapterCampaign& campaign, const AdapterCertificat
   body += facts(identity) + std::string(kSignature) + "</section>\n";
   body += "<h2>Machines</h2>\n" + machines(certificate) + causes(certificate);
   body += "<h2>Known differences</h2>\n" + known_differences(campaign, certificate);
-  body += "<h2>Programs that do not simply conform</h2>\n" + others(certificate);
+  body += "<h2>Programs with a verdict other than conforms</h2>\n" + others(certificate);
   return page("toolcomp: " + campaign.adapter.name + " " + std::string(verdict(certificate)), body);
 }
 

@@ -15,13 +15,13 @@ namespace toolcomp::certify {
 std::string html_report(const AdapterCampaign& campaign, const AdapterCertificate& certificate);
 std::string json_report(const AdapterCampaign& campaign, const AdapterCertificate& certificate);
 
-// A suite a machine, a test case a program.
+// One test suite for each machine, one test case for each program.
 std::string junit_report(const AdapterCertificate& certificate);
-// SARIF 2.1.0: a result a finding, at its sample.
+// SARIF 2.1.0: one result for each finding, at its sample.
 std::string sarif_report(const AdapterCertificate& certificate);
 
-// index.html, certificate.json, junit.xml and certificate.sarif in the folder of the report, and in the folder of each
-// program that differs the report of its trace. Throws std::runtime_error for a folder that cannot be written.
+// index.html, certificate.json, junit.xml and certificate.sarif in the folder of the report, and the report of its
+// trace in the folder of each program that differs. Throws std::runtime_error for a folder that cannot be written.
 void write_report(const AdapterCampaign& campaign, const AdapterCertificate& certificate);
 
 // Runs of one machine, or of given programs; for the table of the report and the terminal.
@@ -35,8 +35,8 @@ struct MachineSummary {
 };
 std::vector<MachineSummary> summaries(const AdapterCertificate& certificate);
 
-// One mistake that explains what was found in each of some programs (docs/trace.md), the commonest first. Figures of
-// one kind differ from program to program: those of the first one stand here.
+// A mistake that explains the findings of each of some programs (docs/trace.md), the most frequent first. The figures
+// of one kind of mistake differ from program to program; these are the figures of the first program.
 struct LikelyCause {
   std::string cause;
   std::size_t programs = 0;

@@ -124,7 +124,7 @@ class Judge {
   void judge_running_on(AdapterRun& run, const spec::Event<double>& alarm, const std::string& place) const {
     const KnownDifference* known =
         place.empty() ? adapter_.without_alarm(alarm.number.view()) : adapter_.known_difference(place);
-    run.why = "ran where the model gives " + words_of(alarm);
+    run.why = "ran on where the model gives " + words_of(alarm);
     run.outcome = known == nullptr ? RunOutcome::differs : RunOutcome::known;
     if (known != nullptr) run.known.push_back(known->id);
   }
@@ -200,7 +200,7 @@ void leave_out_unfinished(std::vector<AdapterRun>& runs) {
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (written[i] != newest && written[i] != fs::file_time_type::min()) continue;
     runs[i].outcome = RunOutcome::not_run;
-    runs[i].why = written[i] == fs::file_time_type::min() ? "not run" : "its recording may be cut";
+    runs[i].why = written[i] == fs::file_time_type::min() ? "not run" : "its recording may be incomplete";
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A batch of programs through a trace adapter, each judged as a recorded run.
+// Runs a batch of programs through a trace adapter, and judges each as a recorded run.
 #pragma once
 
 #include <chrono>
@@ -20,12 +20,12 @@ namespace toolcomp::certify {
 
 enum class RunOutcome : std::uint8_t {
   conforms,        // the recording follows the exact path
-  both_refuse,     // the controller gives an alarm where the model gives one
+  both_refuse,     // the controller and the model both raise an alarm
   known,           // every finding is a known difference
   differs,         // a new difference
-  not_applicable,  // the controller has no such thing
+  not_applicable,  // the controller does not have what the program needs
   undecided,       // the model could not decide, or nothing was judged
-  failed,          // no recording: the adapter's fault
+  failed,          // no recording, because the adapter failed
   not_run,         // interrupted before it was judged
 };
 inline constexpr std::size_t kRunOutcomes = 8;
@@ -52,11 +52,13 @@ struct AdapterCampaign {
   std::optional<double> tolerance;            // positive; without it that of the adapter
   std::optional<double> rotary_tolerance;     // positive, degrees; without it the number of the other
   std::string report;                         // folder; the batch is its subfolder runs
-  std::chrono::milliseconds timeout{10'000};  // for each program, and six times that besides
-  // A test of the judge: it alone gets this value of a parameter, in setups that name it. It must find a difference.
+  std::chrono::milliseconds timeout{10'000};  // for each program; the batch has six times that in addition
+  // A test of the judge: only the judge gets this value of a parameter, in setups that have the parameter. It must then
+  // find a difference.
   std::map<spec::ParameterId, spec::Decimal> altered;
-  std::function<void(const std::string&)> progress;  // gets the adapter's lines, and ours
-  // Asked again and again: why to come to an end; empty: go on. The adapter is killed, what it recorded is judged.
+  std::function<void(const std::string&)> progress;  // gets the lines of the adapter and of toolcomp
+  // Asked repeatedly. Returns why to stop, or an empty text to go on. If it stops, the adapter is killed, and its
+  // recordings so far are judged.
   std::function<std::string()> stop;
 };
 
@@ -65,16 +67,17 @@ struct AdapterCertificate {
   double tolerance = 0;
   double seconds_run = 0;     // by the adapter
   double seconds_judged = 0;  // by the model
-  std::string errors;         // the last of what an adapter said that ended with a fault; empty: it did not
-  std::string interrupted;    // why not all was run or judged; empty: all was
+  std::string errors;         // last lines of an adapter that ended with a fault; otherwise empty
+  std::string interrupted;    // why not everything was run or judged; otherwise empty
   Occasion occasion;
 };
 
-// Throws spec::InputError for programs that no control could read and an adapter that cannot be run at all. Folders of
+// Throws spec::InputError for programs that no control could read, and if the adapter cannot be run at all. Folders of
 // programs that conform are removed.
 AdapterCertificate certify_adapter(const AdapterCampaign& campaign);
 
-// 1 a new difference; 3 nothing judged, or something not: undecided, interrupted, or the adapter failed; else 0.
+// 1 if there is a new difference; 3 if nothing was judged, or if something was undecided or interrupted, or the adapter
+// failed; otherwise 0.
 int exit_status(const AdapterCertificate& certificate);
 
 }  // namespace toolcomp::certify

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a controller is asked, and what its answer says: lines of the protocol, which may be anything.
+// Requests to a controller, and its answers: lines of the protocol. An answer may be anything.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace toolcomp::certify {
 
-// The line that asks a controller for a case: without what is expected.
+// The line that asks a controller for a case, without the expected events.
 std::string request_line(const spec::Case& c);
 
-// How the answer to another case is told.
+// The beginning of the message about an answer to another case.
 inline constexpr std::string_view kAnotherCase = "an answer to ";
 
-// What a line says that came as the answer to `c`. A line that breaks the protocol is a fault that names nothing but
-// the line: neither the end of a process nor its standard error.
+// Reads the line that came as the answer to `c`. A line that breaks the protocol is a fault. The fault has only the
+// line, and neither the end of a process nor its standard error.
 Answer read_answer(const Capabilities& capabilities, const spec::Case& c, std::string line);
 
 // The beginning of a text that may be anything, in quotes, for messages.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one process was asked, for the evidence of what it answers next.
+// The requests to one process, as evidence for its next answers.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace toolcomp::certify {
 template <class Request>
 class Asked {
  public:
-  // Behind each answer.
+  // Called after each answer.
   void add(const Subject& subject, Request request) {
     constexpr std::size_t kMost = 10'000;
     if (subject.starts() != starts_) requests_.clear();
@@ -25,7 +25,7 @@ class Asked {
     requests_.push_back(std::move(request));
     if (requests_.size() > kMost + 1) requests_.pop_front();
   }
-  // Those before the last one.
+  // The requests before the last one.
   [[nodiscard]] std::vector<Request> before() const {
     if (requests_.empty()) return {};
     return {requests_.begin(), requests_.end() - 1};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an explanation says of a block besides its clauses and decisions: in words, with exact figures.
+// The parts of an explanation of a block other than clauses and decisions: text with exact figures.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,11 @@
 namespace toolcomp::certify {
 
 // The corner at the end of the block whose own move is events[own]: its heads and vectors (X Y Z as they differ from
-// the programmed corner), and the line of the block they lead to. Empty where there is no compensation vector.
+// the programmed corner), and the line of the block they lead to. Empty if there is no compensation vector.
 std::string corner_words(std::span<const model::Event> events, std::size_t own, const spec::Axes& axes, int digits);
 
-// G37: how far the measured position may be off, and how far the tool runs on, at the measuring feed (parameter 6241,
-// in setup units a minute): ERRmax = Fm/60 * Ts/1000 with Ts = 2 ms, Qmax = Fm/60 * 16/1000.
+// G37: by how much the measured position may be off, and how far the tool runs on, at the measuring feed (parameter
+// 6241, in setup units a minute): ERRmax = Fm/60 * Ts/1000 with Ts = 2 ms, Qmax = Fm/60 * 16/1000.
 std::string measuring_words(const spec::Setup& setup, int digits);
 
 }  // namespace toolcomp::certify

@@ -216,7 +216,7 @@ Capabilities read_capabilities(std::string_view line) {
 
 Capabilities capabilities_from(const nlohmann::json& tree) {
   const Json json = tree;
-  if (!json.is_object()) fail("the answer to hello is no JSON object");
+  if (!json.is_object()) fail("the answer to hello is not a JSON object");
   const auto protocol = json.find("protocol");
   if (protocol == json.end() || *protocol != 1) fail("the answer to hello does not say \"protocol\": 1");
   Capabilities c;
@@ -303,7 +303,7 @@ void expect_fine_resolution(const Capabilities& capabilities, const std::string&
   if (!accepted.empty() && std::stod(announced) <= std::stod(accepted)) return;
   throw spec::InputError("--controller", 0, 0,
                          "the controller announces a resolution of " + announced + (inch ? " inch" : " mm") +
-                             ", coarser than 0.01 mm (0.0004 inch): whoever accepts that says --accept-resolution " +
+                             ", coarser than 0.01 mm (0.0004 inch); to accept it, give --accept-resolution " +
                              announced);
 }
 

@@ -78,7 +78,7 @@ std::vector<std::pair<std::string_view, spec::KnownCounts>> known_clauses(const 
 
 std::string words_on_known(const Certificate& certificate) {
   const spec::KnownCounts sum = spec::sum_of(known_clauses(certificate));
-  return fmt::format("of {} clauses judged {}", sum.total(), sum.words());
+  return fmt::format("of {} clauses judged, {}", sum.total(), sum.words());
 }
 
 std::string words_on_left_out(const Certificate& certificate) {
@@ -89,7 +89,7 @@ std::string words_on_left_out(const Certificate& certificate) {
     left_out += s.left_out;
     judged += s.events;
   }
-  return fmt::format("{} of {} events left out: they rest on other than {}", left_out, left_out + judged,
+  return fmt::format("{} of {} events left out: they do not rest only on {}", left_out, left_out + judged,
                      known_as(certificate));
 }
 
@@ -141,7 +141,7 @@ std::string verdict(const Certificate& certificate) {
   switch (exit_status(certificate)) {
     case 0:
       return "conforms in " + scope(certificate) +
-             (certificate.subject.known.is_all() ? "" : ", as far as " + known_as(certificate) + " go");
+             (certificate.subject.known.is_all() ? "" : ", judged only by " + known_as(certificate));
     case 1:
       return "does not conform";
     case 4:
@@ -173,7 +173,7 @@ std::size_t groups_settled(const Certificate& certificate) {
 std::string words_on_settling(const Certificate& certificate) {
   if (certificate.causes.empty()) return {};
   const std::size_t groups = certificate.causes.size();
-  return fmt::format("{} of {} group{} settled, in {:g} s at most", groups_settled(certificate), groups,
+  return fmt::format("{} of {} group{} settled, within {:g} s at most", groups_settled(certificate), groups,
                      groups == 1 ? "" : "s", std::chrono::duration<double>(certificate.settling).count());
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a certification established, for reports.
+// The result of a certification, for reports.
 #pragma once
 
 #include <array>
@@ -28,35 +28,35 @@ enum class Origin : std::uint8_t { golden, generated, own };
 
 // The sums of one section. Lengths in micrometres.
 struct SectionResult {
-  std::string section;                                 // empty: programs of the user's own
-  std::array<std::uint64_t, 3> cases{};                // by origin
-  std::array<std::uint64_t, kResults> results{};       // by Result
-  std::uint64_t values = 0;                            // judged
-  std::uint64_t decisions = 0;                         // of the model, by sign
-  std::uint64_t near_ties = 0;                         // decisions inside their band
-  std::uint64_t ties = 0;                              // near ties in which the other, permitted, outcome was taken
-  std::uint64_t wide = 0;                              // values that were granted more than policy::kCap: not judged
-  std::uint64_t cut_cases = 0;                         // judged up to a block that goes beyond what is supported
-  std::uint64_t cut_programs = 0;                      // the user's own among them
-  std::uint64_t wide_cases = 0;                        // cases with more than policy::kMostWide of such
-  std::uint64_t out_of_scope = 0;                      // events behind one of reason OUT_OF_SCOPE
-  std::uint64_t events = 0;                            // of the model, judged
-  std::uint64_t left_out = 0;                          // and not, for Capabilities::known
-  std::map<spec::Clause, std::uint64_t> left_out_for;  // of them, how many rest on this clause
+  std::string section;                            // empty: programs of the user's own
+  std::array<std::uint64_t, 3> cases{};           // by origin
+  std::array<std::uint64_t, kResults> results{};  // by Result
+  std::uint64_t values = 0;                       // judged
+  std::uint64_t decisions = 0;                    // of the model, by sign
+  std::uint64_t near_ties = 0;                    // decisions inside their band
+  std::uint64_t ties = 0;                         // near ties at which the other, permitted outcome was taken
+  std::uint64_t wide = 0;                         // values that were granted more than policy::kCap: not judged
+  std::uint64_t cut_cases = 0;                    // judged only up to a block that is not supported or not judged
+  std::uint64_t cut_programs = 0;                 // of these, the user's own programs
+  std::uint64_t wide_cases = 0;                   // cases in which more than policy::kMostWide of the values are wide
+  std::uint64_t out_of_scope = 0;                 // events after an event with the reason OUT_OF_SCOPE
+  std::uint64_t events = 0;                       // events of the model that were judged
+  std::uint64_t left_out = 0;                     // events that were left out because of Capabilities::known
+  std::map<spec::Clause, std::uint64_t> left_out_for;  // how many of these rest on each clause
   std::uint64_t few_events = 0;                        // cases with a verdict and fewer than three events judged
   fuzz::Widths widths;                                 // that were granted
-  double worst_ulp = 0;                                // in the units the verdict policy multiplies by its k
+  double worst_ulp = 0;                                // in the units that the policy multiplies by k
   double worst_um = 0;
   fuzz::Bias bias;  // of rounded lengths
 
   [[nodiscard]] std::uint64_t count(Result result) const { return results[static_cast<std::size_t>(result)]; }
   [[nodiscard]] std::uint64_t count(Origin origin) const { return cases[static_cast<std::size_t>(origin)]; }
-  // Nothing was judged, for Capabilities::known alone.
+  // Whether nothing was judged, only because of Capabilities::known.
   [[nodiscard]] bool is_left_out() const { return values == 0 && left_out > 0; }
   [[nodiscard]] std::uint64_t total() const { return cases[0] + cases[1] + cases[2]; }
 };
 
-// A case that is no verdict, and why.
+// A case without a verdict, and the reason.
 struct Unsettled {
   std::string id;
   std::string section;
@@ -70,17 +70,17 @@ struct Picture {
   std::string html;  // view/view.h
 };
 
-// Everything that went in, so that the same can be done again. Hashes are SHA-256 in hexadecimal.
+// Everything that the certificate depends on, so that it can be made again. Hashes are SHA-256 in hexadecimal.
 struct Identity {
   std::string tool;          // name and version
-  std::string tool_hash;     // of the running executable; empty where it cannot be read
-  std::string clause_hash;   // of every clause with its text
+  std::string tool_hash;     // of the running executable; empty if it cannot be read
+  std::string clause_hash;   // of all clauses with their texts
   std::string corpus;        // version of the golden corpus, "none" without one
   std::string corpus_hash;   // of its manifest
   std::string setup_hash;    // of all setups that were judged, sorted
-  std::uint64_t setups = 0;  // different ones
+  std::uint64_t setups = 0;  // number of different setups
   std::uint64_t seed = 0;
-  std::uint32_t generated = 0;  // cases a section
+  std::uint32_t generated = 0;  // cases in each section
   std::string controller;       // command; empty: the built-in fast engine
 };
 
@@ -92,44 +92,44 @@ struct Certificate {
   std::vector<model::ClauseCount> clauses;  // by clause, of the cases that were judged
   std::vector<Finding> findings;            // one for each section, clause and kind, in the order of the groups
   std::vector<SharedCause> causes;          // the groups of findings, those with most cases first (settling.h)
-  std::chrono::milliseconds settling{0};    // the time that was given to settle one finding of each group
+  std::chrono::milliseconds settling{0};    // the time limit for settling one finding of each group
   std::vector<Unsettled> unsettled;         // the first hundred
   std::set<std::string> without_effect;     // words of the user's own programs that are read and change no path
   std::vector<Picture> pictures;            // of the first programs of the user's own
-  std::string self_check;                   // what failed; empty: nothing
-  std::string interrupted;                  // why not all was run; empty: all was
-  std::string chatter;                      // what the controller wrote that is no answer, the first such line
-  std::string hello;                        // its answer to hello, as it came; empty: none came
+  std::string self_check;                   // what failed; empty: nothing failed
+  std::string interrupted;                  // why not all cases were run; otherwise empty
+  std::string chatter;                      // the first line of the controller that is not an answer
+  std::string hello;                        // its answer to hello, as it came; empty if none came
 };
 
 // Normative, parameter and alarm clauses of the certificate's sections that can be tested and were not reached.
 std::vector<spec::Clause> clauses_not_exercised(const Certificate& certificate);
-// Open clauses that were reached: results that rest on a definition of ours.
+// Open clauses that were reached. Their results rest on our own definition.
 std::vector<spec::Clause> open_clauses_relied_on(const Certificate& certificate);
 
-// How well the clauses are known that were reached and judged by, by section.
+// How well the clauses that were reached and judged by are known, by section.
 std::vector<std::pair<std::string_view, spec::KnownCounts>> known_clauses(const Certificate& certificate);
-// "of 214 clauses judged 61 are the manual's, 40 a sister's, 70 recollection, 43 ours".
+// "of 214 clauses judged, 61 from the manual, 40 from a sister manual, 70 from recollection, 43 ours".
 std::string words_on_known(const Certificate& certificate);
-// What was left out because of Capabilities::known: "812 of 2000 events left out: they rest on clauses that are not
-// known as manual, sister"; empty: everything is to be judged.
+// What was left out because of Capabilities::known: "812 of 2000 events left out: they do not rest only on clauses
+// known as manual, sister"; empty if everything is judged.
 std::string words_on_left_out(const Certificate& certificate);
-// Those clauses, with how many of these events rest on each, the most first.
+// The clauses on which these events rest, with their numbers of events, the largest first.
 std::vector<std::pair<spec::Clause, std::uint64_t>> left_out_for(const Certificate& certificate);
 
-// 4 a self-check failed; 1 a finding; 3 it was interrupted, the oracle could not decide a case, a section that applies
-// had no value judged (but one of which all is left out), or more than policy::kMostWide of the values of a section or
-// of an own case were not judged; else 0.
+// 4 if a self-check failed; 1 if there is a finding; 3 if the run was interrupted, if the oracle could not decide a
+// case, if no value of an applicable section was judged (unless all of it is left out), or if more than
+// policy::kMostWide of the values of a section or of an own case were not judged; otherwise 0.
 int exit_status(const Certificate& certificate);
 // "conforms in 1 of 12 sections, 11 not applicable", "does not conform", "not decided", "not decided: interrupted",
 // "conforms only in part (…): more than 1 % not judged", "self-check failed".
 std::string verdict(const Certificate& certificate);
-// What was looked at: "all 12 sections", "1 of 12 sections, 3 not applicable, 8 not asked for and 2 programs".
+// What was judged: "all 12 sections", "1 of 12 sections, 3 not applicable, 8 not asked for and 2 programs".
 std::string scope(const Certificate& certificate);
 std::uint64_t cases_not_run(const Certificate& certificate);
 // Groups of findings of which one was settled.
 std::size_t groups_settled(const Certificate& certificate);
-// "2 of 3 groups settled, in 30 s at most"; empty: there are no findings.
+// "2 of 3 groups settled, within 30 s"; empty if there are no findings.
 std::string words_on_settling(const Certificate& certificate);
 
 std::string_view kind_name(spec::ClauseKind kind);

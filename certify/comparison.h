@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One program through the model and another engine of ours.
+// Compares the model with another engine of toolcomp on one program.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +12,15 @@ namespace toolcomp::certify {
 
 struct Comparison {
   fuzz::Verdict verdict;
-  std::uint64_t questions = 0;  // that laws asked
+  std::uint64_t questions = 0;  // number of law checks
 };
 
-// The fast engine; where it agrees, and the program can be read again and is no longer than a megabyte, the model's
-// events are held against the laws. `on_block` as judge_stream() calls it. Throws spec::InputError for what is no text
-// of a program.
+// Compares the fast engine. If it agrees, and if the program can be read again and is not longer than a megabyte, the
+// laws are checked on the model's events. `on_block` is called as judge_stream() does. Throws spec::InputError if the
+// text is not the text of a program.
 Comparison compare_fast(const input::Program& program, void (*on_block)(std::uint64_t) = nullptr);
 
-// The formal specification. Throws spec::InputError where this build has none, and as above.
+// Compares the formal specification. Throws spec::InputError if this build does not have it, and as above.
 Judgement compare_specification(const input::Program& program);
 
 }  // namespace toolcomp::certify

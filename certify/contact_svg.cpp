@@ -218,7 +218,7 @@ std::string contact_svg(const ContactPicture& picture, double left, double top, 
     out += fmt::format("<text class=\"tp-note\" x=\"6\" y=\"{:.0f}\">{}</text>\n", y, text);
   };
   if (picture.lengthened)
-    note(side - 24, fmt::format("a tool as in the table (green) leaves {} to the wall",
+    note(side - 24, fmt::format("a tool as in the table (green) stays {} away from the wall",
                                 plain(dot(plus(picture.table_tip, -1, picture.nominal_tip), picture.normal), 6)));
   note(side - 8, fmt::format("tip moved by {} along N, {} in all", plain(dot(shift, picture.normal), 6),
                              plain(length(shift), 6)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nominal and actual tool where they touch the wall: a block with a surface normal, cut by the plane of normal and
-// tool.
+// Draws nominal and actual tool at the contact with the wall: a block with a surface normal, cut by the plane of normal
+// and tool.
 #pragma once
 
 #include <cstddef>
@@ -23,14 +23,14 @@ struct CutterShape {
 
 // One contact, and what its picture needs.
 struct ContactPicture {
-  std::size_t event = 0;  // the move whose end it is
+  std::size_t event = 0;  // the move at whose end the contact is
   Point3 contact{};
   Point3 normal{};  // unit, from the workpiece into the tool
   Point3 tool{};    // unit, from the tip to the holder
   Point3 across{};  // unit, at right angles to the tool in the plane of the picture, on the side of the normal
   Point3 nominal_tip{};
   Point3 effective_tip{};
-  Point3 table_tip{};  // of a tool exactly as the table has it, where the lengthwise delta puts it
+  Point3 table_tip{};  // tip of a tool exactly as in the table, moved by the lengthwise delta
   bool lengthened = false;
   Point3 programmed{};
   CutterShape nominal;
@@ -38,7 +38,8 @@ struct ContactPicture {
 };
 
 // The first contacts that differ from each other, at most `most`; that of the move `marked` among them. The shapes of
-// both tools follow from the events; where the tool stands along the normal `table` says what they cannot.
+// both tools follow from the events. If the tool is along the normal, the events do not give the shape, and `table`
+// does.
 std::vector<ContactPicture> contact_pictures(const spec::Axes& axes, std::span<const spec::Event<double>> events,
                                              const std::optional<CutterShape>& table, std::size_t most,
                                              std::optional<std::size_t> marked);

@@ -21,8 +21,8 @@ struct ControllerOptions {
   std::size_t reply_limit = std::size_t{64} << 20;  // bytes of one answer
 };
 
-// Starts the command when it is first needed, and again where it ended, did not answer, or answered out of step, so
-// that each case meets one that does.
+// Starts the command when it is first needed. Starts it again if it has ended, did not answer, or answered out of step,
+// so that each case meets a working process.
 class Controller final : public Subject {
  public:
   explicit Controller(ControllerOptions options) : options_(std::move(options)) {}
@@ -41,17 +41,17 @@ class Controller final : public Subject {
 
  private:
   std::optional<Fault> start(std::chrono::milliseconds timeout);
-  // One line there and one line back; anything else is a fault and ends the process. Lines that are no JSON objects are
-  // no answers: the first is kept, and the wait goes on; not again where that was in vain once, and then the process
-  // goes on.
+  // Sends one line and waits for one line; anything else is a fault and ends the process. Lines that are not JSON
+  // objects are not answers: the first one is kept, and the wait goes on. If such a wait was in vain once, it does not
+  // wait again, and then the process goes on.
   std::variant<std::string, Fault> exchange(std::string_view line, std::chrono::milliseconds timeout);
   Fault fault(FaultKind kind, std::string what, std::chrono::milliseconds wait_for_end = std::chrono::milliseconds(0));
   bool is_chatter(std::string_view line);
 
   ControllerOptions options_;
   std::unique_ptr<Process> process_;
-  std::optional<Capabilities> capabilities_;  // as it said first
-  std::string hello_;                         // the same as it came
+  std::optional<Capabilities> capabilities_;  // of its first answer to hello
+  std::string hello_;                         // that answer as it came
   std::chrono::milliseconds slowest_{0};
   int exit_status_ = -1;
   std::uint64_t answers_ = 0;
@@ -59,7 +59,7 @@ class Controller final : public Subject {
   std::string chatter_;               // the first
   std::string last_chatter_;          // the last since the request
   bool greeted_ = false;              // the process has answered hello
-  bool chatter_for_answers_ = false;  // nothing else came in time once: behind chatter it is not waited again
+  bool chatter_for_answers_ = false;  // once nothing but chatter came in time: no more waiting after chatter
 };
 
 }  // namespace toolcomp::certify

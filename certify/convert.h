@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Events of the model and of controllers over numbers that can be drawn and compared.
+// Converts events of the model and of controllers to numbers that can be drawn and compared.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace toolcomp::certify {
 
-// For pictures and distances: the middle of the enclosure, the text as a double (NaN where it is no number).
+// For pictures and distances: the middle of the enclosure, the text as a double (NaN if it is not a number).
 spec::Event<double> in_double(const model::Event& event);
 spec::Event<double> in_double(const spec::TextEvent& event);
 template <class Number>

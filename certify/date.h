@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// When something is made.
+// The date of a report or a file.
 #pragma once
 
 #include <string>

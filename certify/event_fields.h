@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which fields the model's events have: what a controller that announces them has to send.
+// The fields that the model's events have. A controller that announces them has to send them.
 #pragma once
 
 #include "fuzz/oracle/verdict.h"
@@ -11,7 +11,7 @@ namespace toolcomp::certify {
 inline constexpr std::string_view kNeverSent = "field never sent";
 
 spec::FieldSet fields_of(const model::Event& event);
-// Of all events of a run.
+// The fields of all events of a run.
 spec::FieldSet fields_of(const fuzz::ModelRun& run);
 
 }  // namespace toolcomp::certify

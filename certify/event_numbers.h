@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every number of an event, one after the other, whatever number it is made of.
+// Visits every number of an event, for any number type.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 namespace toolcomp::certify {
 
 // Calls `visit(field, letter, number)` for each: `field` is its name in docs/events.md, `letter` an axis or a
-// component, 0 where the field is one number.
+// component, 0 if the field is one number.
 template <class Number, class Visit>
 void for_each_number(const spec::Event<Number>& event, const spec::Axes& axes, const Visit& visit) {
   const auto axis_values = [&](std::string_view field, const spec::AxisValues<Number>& values) {

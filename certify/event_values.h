@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers of events, in a row: what came beside what was expected.
+// The numbers of events in a row: each actual number with the expected one.
 #pragma once
 
 #include <cstddef>
@@ -22,13 +22,13 @@ struct EventValue {
 };
 std::vector<EventValue> values_of(const Events& events, const spec::Axes& axes);
 
-// The same number as it was expected and as it came.
+// The expected and the actual value of one number.
 struct ValuePair {
   EventValue expected;
   double actual = 0;
 };
-// All pairs; nothing where the events are not the same in number, kind, words and fields. A field that comes nowhere is
-// one that is not announced; an axis that what came has not, one that is not read.
+// All pairs; std::nullopt if the events differ in number, kind, words or fields. A field that is in no event counts as
+// not announced, and an axis that is in no actual event counts as not read.
 std::optional<std::vector<ValuePair>> pairs_of(const Events& expected, const spec::Axes& expected_axes,
                                                const Events& actual, const spec::Axes& axes);
 inline std::optional<std::vector<ValuePair>> pairs_of(const Events& expected, const Events& actual,

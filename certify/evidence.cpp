@@ -250,7 +250,8 @@ class Evidence {
     finding_.first_case = shrunk.first_case;
     finding_.runs = shrunk.runs;
     finding_.complete = shrunk.complete;
-    if (is_known() && answers_nothing()) finding_.actual += ", nor to any other request: it does not answer";
+    if (is_known() && answers_nothing())
+      finding_.actual += ", and none to any other request: the controller does not answer";
     if (finding_.errors.empty()) finding_.errors = subject_.errors();
   }
 

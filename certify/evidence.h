@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a difference to a finding: whether it comes again, what has to be asked before it, and the smallest program.
+// Turns a difference into a finding: whether it can be reproduced, which requests must come before it, and the smallest
+// program.
 #pragma once
 
 #include <chrono>
@@ -18,43 +19,44 @@ struct Witness {
   spec::Case c;
   Judgement judgement;
   std::vector<spec::Event<double>> answer;  // events
-  std::vector<spec::Case> before;           // what the same process had been asked before, in order
+  std::vector<spec::Case> before;           // earlier requests to the same process, in order
 };
 
 struct EvidenceOptions {
   std::size_t shrink_runs = 2000;             // executions a finding may take
   std::chrono::milliseconds timeout{10'000};  // for one answer
-  // Whether to come to an end. What is known by then stays; before it is known how the finding comes, it is as it was
-  // seen, tried never.
+  // Whether to stop. What is known by then is kept. If it is not yet known how the finding can be reproduced, the
+  // finding stays as it was seen, with no attempts.
   std::function<bool()> stop;
 };
 
-// Of what never comes again, and of what is not asked again, so many requests before it are kept.
+// The number of earlier requests that are kept for a finding that is never reproduced, or not tried again.
 inline constexpr std::size_t kRequestsKept = 50;
-// The last of them, `n` at most.
+// The last of these requests, at most `n`.
 std::vector<spec::Case> last_of(const std::vector<spec::Case>& cases, std::size_t n);
 
-// Whether it is a fault of a controller (FaultKind).
+// Whether the failure is a fault of a controller (FaultKind).
 bool is_fault(const FailureKey& key);
 
-// The time-out where a controller may hang again and again.
+// The time-out for a controller that may hang repeatedly.
 std::chrono::milliseconds short_patience(const Subject& subject, std::chrono::milliseconds timeout);
 
-// The witness as a finding, without asking again.
+// The witness as a finding, without trying again.
 Finding as_seen(const Capabilities& capabilities, const Witness& witness);
 
-// Asks again: a fresh process for the case alone, else for all that came before it and then the case. What comes again
-// is shrunk, the program and the requests before it, in one process as long as that lives, where nothing has to be
-// asked before; a fresh one then confirms it. What does not come again is kept as it was seen. In any case `seen` of
-// `tried` says how often it came. A controller that cannot say hello has no capabilities.
+// Tries again: asks a fresh process for the case alone, or else for all earlier requests and then the case. If the
+// difference is reproduced, the program and the earlier requests are shrunk. If no earlier requests are needed, this
+// uses one process as long as it lives, and a fresh process then confirms the result. If the difference is not
+// reproduced, it is kept as it was seen. `seen` of `tried` says how often it was reproduced. A controller that does not
+// answer hello has no capabilities.
 Finding make_finding(Subject& subject, const Capabilities& capabilities, const Witness& witness,
                      const EvidenceOptions& options);
 
-// A fresh process, asked what came before and then the case.
+// Asks a fresh process the earlier requests and then the case.
 Answer ask_fresh(Subject& subject, const std::vector<spec::Case>& before, const spec::Case& c,
                  std::optional<std::chrono::milliseconds> patience = {});
 
-// The answer's events for people and pictures; none if it is no list of events.
+// The events of the answer, for people and pictures; empty if it is not a list of events.
 std::vector<spec::Event<double>> events_in_double(const Answer& answer);
 
 }  // namespace toolcomp::certify

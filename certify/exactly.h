@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two lists of exact events held together: the formal specification against the exact model.
+// Compares two lists of exact events: the formal specification with the exact model.
 #pragma once
 
 #include <cstdint>
@@ -15,12 +15,13 @@ namespace toolcomp::certify {
 // The kind of a difference between the two.
 inline constexpr const char* kSpecificationKind = "specification";
 
-// What the formal specification says must be what the model does: the same events in the same order, every field of
-// them but clauses and messages, every number to kModelDigits decimals. Nothing is granted: both are exact.
+// The formal specification must give what the model gives: the same events in the same order, with the same fields
+// except clauses and messages, and every number equal to kModelDigits decimals. There is no tolerance, because both are
+// exact.
 struct Exactly {
-  std::optional<fuzz::Difference> difference;  // the first; its clause is that of the model's event
-  std::uint64_t values = 0;                    // numbers held together, and those of alarms
-  std::string undecided;                       // why they cannot be: a sign or digits that one of them cannot certify
+  std::optional<fuzz::Difference> difference;  // the first difference; its clause is that of the model's event
+  std::uint64_t values = 0;                    // number of compared numbers and alarm numbers
+  std::string undecided;  // why they cannot be compared: a sign or digits that one of them cannot certify
 };
 Exactly hold_exactly(const spec::Axes& axes, const std::vector<model::Event>& model,
                      const std::vector<model::Event>& said);

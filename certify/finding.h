@@ -19,49 +19,49 @@ namespace toolcomp::certify {
 struct Finding {
   spec::Case smallest;     // as shrunk
   FailureKey key;          // its section is that of the case
-  std::uint64_t line = 0;  // of the program, where they part
+  std::uint64_t line = 0;  // line of the program at which both sides first differ
   std::string field;       // "point.X"
   std::string expected;    // for people
   std::string actual;
-  double deviation_um = 0;         // linear coordinates
+  double deviation_um = 0;         // for linear coordinates
   std::string status;              // with a fault: how the controller's process ended
-  std::string errors;              // the last of its standard error
+  std::string errors;              // last lines of its standard error
   std::string controller;          // the command; empty: the built-in fast engine; or kFormalSpecification
-  std::string directory;           // where it was run
-  Capabilities subject;            // what it said of itself; without a name: it could not be asked
+  std::string directory;           // folder in which it was run
+  Capabilities subject;            // what it announced; without a name if it could not be asked
   std::string seed;                // of the campaign
-  std::string target;              // of a campaign: which of its targets
-  std::uint64_t executions = 0;    // of the worker that found it, this one included; 0: not known
-  double seconds = 0;              // since that worker began
-  std::string tool;                // name and version of what found it
+  std::string target;              // the fuzz target, if a campaign found it
+  std::uint64_t executions = 0;    // executions of the worker up to and including this one; 0: not known
+  double seconds = 0;              // since the start of that worker
+  std::string tool;                // name and version of the program that found it
   std::string first_case;          // id of the case it was shrunk from
   std::uint64_t occurrences = 1;   // cases with the same key
-  std::vector<spec::Case> before;  // what the same process has to be asked before, in order
-  std::uint64_t seen = 1;          // so many times, of so many tries
+  std::vector<spec::Case> before;  // requests that the same process must get before this case, in order
+  std::uint64_t seen = 1;          // number of attempts that reproduced it, of `tried`
   std::uint64_t tried = 1;
-  std::string not_settled;  // why it is as it was seen: neither tried again nor shrunk; empty: it was
-  std::size_t runs = 0;     // executions that shrinking took
+  std::string not_settled;  // why it was neither tried again nor shrunk; otherwise empty
+  std::size_t runs = 0;     // executions used for shrinking
   bool complete = true;     // nothing simpler fails in the same way
-  std::string alone;  // who stands alone among model, engine and formal specification (voices.h); empty: not asked
+  std::string alone;        // which of model, engine and formal specification stands alone (voices.h); empty: not asked
 
-  // For the report's picture, not written to the file.
+  // For the picture in the report. Not written to the file.
   std::vector<spec::Event<double>> expected_events;
   std::vector<spec::Event<double>> actual_events;
   std::optional<std::size_t> event;  // index of the first difference
 };
 
-// {"finding":1, "case":{…}, "kind":…, "clause":…, …}: one JSON object a file, with a line feed at its end.
+// {"finding":1, "case":{…}, "kind":…, "clause":…, …}: one JSON object in a file, with a line feed at its end.
 std::string write_finding(const Finding& finding);
 // Reads a finding, or a bare case as a finding without a kind. Throws spec::InputError; unknown keys are errors.
 Finding read_finding(std::string_view text, const std::string& file);
 
-// How its clause is known, before it accuses anybody: "manual: A-78438E, page 23"; empty: it rests on no clause.
+// How well its clause is known, which a report says first: "manual: A-78438E, page 23"; empty if it rests on no clause.
 std::string how_known(const Finding& finding);
 
-// With what it was found by: this build, in this folder, with that command and seed.
+// Adds how it was found: by this build, in this folder, with this command and seed.
 Finding signed_finding(Finding finding, const std::string& controller, std::uint64_t seed);
 
-// The command run in a folder; in this one, if that is empty.
+// The shell command that runs a command in a folder; in the current folder, if it is empty.
 std::string command_in(const std::string& directory, const std::string& command);
 
 // The subject a command names: a controller, or the built-in engine if it is empty.
@@ -70,11 +70,11 @@ std::unique_ptr<Subject> subject_of(const std::string& controller, std::chrono::
                                     std::size_t reply_limit = kReplyLimit);
 
 // The same for the controller that a finding names, where this may be the formal specification in this process: throws
-// spec::InputError where there is none.
+// spec::InputError if there is none.
 inline constexpr const char* kFormalSpecification = "spec";
 std::unique_ptr<Subject> subject_of_finding(const std::string& controller, std::chrono::milliseconds timeout);
 
-// Exit status of one judged case: 0 agrees, 1 differs, 3 anything that is no verdict.
+// Exit status of one judged case: 0 agrees, 1 differs, 3 no verdict.
 int exit_status(Result result);
 
 }  // namespace toolcomp::certify

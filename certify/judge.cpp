@@ -15,8 +15,8 @@
 namespace toolcomp::certify {
 namespace {
 
-constexpr const char* kNoValue = "the program makes no value that is judged";
-constexpr const char* kLeftOutWhole = "every value rests on clauses that are left out";
+constexpr const char* kNoValue = "the program gives no value that can be judged";
+constexpr const char* kLeftOutWhole = "every value rests on clauses that --known leaves out";
 
 // Of the blocks of a program, counted as lines with words.
 std::string share_judged(std::string_view program, std::uint64_t before_line) {
@@ -135,12 +135,12 @@ bool too_many_wide(std::uint64_t values, std::uint64_t wide) {
 }
 
 std::string words_on_wide(std::uint64_t values, std::uint64_t wide) {
-  return fmt::format("{} of {} values were granted more than {} µm: not judged", wide, values + wide,
+  return fmt::format("{} of {} values were granted more than {} µm, and were not judged", wide, values + wide,
                      fuzz::policy::kCap);
 }
 
 std::string words_on_beyond(const fuzz::Beyond& beyond) {
-  return fmt::format("line {}: {}; it and what follows are not judged", beyond.line, beyond.what);
+  return fmt::format("line {}: {}; this block and the blocks after it are not judged", beyond.line, beyond.what);
 }
 
 std::optional<spec::Clause> clause_of_fault(const fuzz::ModelRun& run) { return last_clause(run, run.events.size()); }
@@ -185,7 +185,7 @@ Judgement judged_answer(const Capabilities& capabilities, const spec::Case& c, c
   }
   if (!meets_minimum(capabilities)) {
     Judgement j;
-    j.why = "the controller announces less than kind, line and one of point and axes";
+    j.why = "the controller must announce kind, line, and one of point and axes";
     return j;
   }
   if (const auto* events = std::get_if<ExactEvents>(&answer.result)) return exactly(c, run, *events);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// JUnit XML, as tools of continuous integration read it.
+// JUnit XML for tools of continuous integration.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@ namespace toolcomp::certify::junit {
 
 class Suite {
  public:
-  // A test case; `inside` is XML: nothing, or <failure>, <error>, <skipped>.
+  // Adds a test case. `inside` is XML: empty, or <failure>, <error>, <skipped>.
   void add(std::string_view group, std::string_view name, const std::string& inside);
   [[nodiscard]] std::string xml(std::string_view name) const;
 
@@ -22,7 +22,7 @@ class Suite {
   std::size_t skipped_ = 0;
 };
 
-// The whole file, of the XML of suites.
+// The whole file from the XML of the suites.
 std::string document(const std::string& suites);
 
 }  // namespace toolcomp::certify::junit

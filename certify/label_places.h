@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where labels of a picture can stand: none covers another.
+// Finds places for the labels of a picture, so that no label covers another.
 #pragma once
 
 #include <array>
@@ -13,13 +13,13 @@ namespace toolcomp::certify {
 
 class LabelPlaces {
  public:
-  // On a square paper of `side`, y downwards, of text `size` high.
+  // For a square paper of `side`, y downwards, and text of height `size`.
   LabelPlaces(double side, double size) : side_(side), size_(size) {}
 
-  // What nothing may cover: a mark of that radius.
+  // A mark of this radius that no label may cover.
   void keep_free(const Point2& middle, double radius);
-  // Where a text of so many characters begins (its base line), beside a mark of that radius; nothing if there is no
-  // room. The place is then taken.
+  // The beginning of the base line of a text with this number of characters, next to a mark of this radius;
+  // std::nullopt if there is no room. The place is then taken.
   std::optional<Point2> beside(const Point2& mark, std::size_t characters, double radius);
 
  private:

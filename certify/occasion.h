@@ -9,7 +9,7 @@
 
 namespace toolcomp::certify {
 
-// Told, not established.
+// These values are as the user gave them. toolcomp does not check them.
 struct Occasion {
   std::string date;       // ISO 8601, UTC
   std::string operated;   // --operator
@@ -18,7 +18,7 @@ struct Occasion {
 };
 
 nlohmann::ordered_json to_json(const Occasion& occasion);
-// For facts() of a page: names and values, what is empty as "not stated".
+// Names and values for facts() of a page. Empty values become "not stated".
 std::vector<Row> rows(const Occasion& occasion);
 
 }  // namespace toolcomp::certify

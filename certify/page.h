@@ -9,10 +9,10 @@
 
 namespace toolcomp::certify {
 
-// How a page differs from the usual one, which asks for nothing from anywhere.
+// How a page differs from the usual one, which loads nothing from outside.
 struct PageOptions {
-  bool fills_window = false;  // as wide and as high as there is room
-  std::string live;           // served: what its server calls this state of it (docs/view.md); empty: a file
+  bool fills_window = false;  // as wide and as high as the window
+  std::string live;           // of a served page: the version that its server gives it (docs/view.md); empty for a file
 };
 
 // The page around `body`, which is HTML. `title` is text.
@@ -22,7 +22,7 @@ std::string page(std::string_view title, std::string_view body, const PageOption
 using Row = std::vector<std::string>;
 std::string table(const std::vector<Row>& rows, std::size_t numbers_from = SIZE_MAX);
 
-// A program with line numbers; `marked` is the line that is pointed at, 0 for none.
+// A program with line numbers. `marked` is the highlighted line, 0 for none.
 std::string listing(std::string_view program, std::uint64_t marked);
 
 // A list of names and values, both HTML.
@@ -32,7 +32,7 @@ std::string facts(const std::vector<Row>& rows);
 enum class Tone : std::uint8_t { good, bad, open };
 std::string badge(std::string_view text, Tone tone);
 
-// Where one signs, at the foot of a first page.
+// The place for a signature, at the foot of a first page.
 inline constexpr std::string_view kSignature =
     "<div class=\"sign\"><span>Place, date</span><span>Name</span><span>Signature</span></div>\n";
 

@@ -15,7 +15,7 @@ namespace toolcomp::certify {
 
 using Point3 = std::array<double, 3>;
 
-// One move: its points after the one before (several for an arc, and where samples say how the axes get there).
+// One move: its points after the end of the move before (several for an arc, and if samples show the way of the axes).
 struct PathMove {
   std::vector<Point3> points;
   bool rapid = false;
@@ -30,10 +30,10 @@ struct Path {
 // Whether both go through the same points.
 bool same_course(const Path& a, const Path& b);
 
-// Which position of the events is followed.
+// The position of the events that the path follows.
 enum class PathOf : std::uint8_t { programmed, point, axes };
 
-// The path of the moves that carry such a position. A coordinate that is not finite leaves its move out.
+// The path of the moves that have such a position. A move with a coordinate that is not finite is left out.
 Path follow(const spec::Axes& axes, const Point3& start, std::span<const spec::Event<double>> events, PathOf what);
 
 // The tool at one place of its path: at a sample, or at the end of a move.
@@ -41,10 +41,10 @@ struct ToolStroke {
   Point3 tip{};   // `point` of the event
   Point3 axis{};  // unit, from the tip to the holder
   std::size_t event = 0;
-  bool rapid = false;   // of the move; a sample's is not known here
+  bool rapid = false;   // of the move; not known for a sample
   bool sample = false;  // inside a move
 };
-// Of all events with a tool axis, in order.
+// The strokes of all events with a tool axis, in order.
 std::vector<ToolStroke> tool_strokes(const spec::Axes& axes, const Point3& start,
                                      std::span<const spec::Event<double>> events);
 

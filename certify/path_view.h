@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Looking at a path: projections onto the paper, and what fits there.
+// Views of a path: projections onto the paper, scales and grids.
 #pragma once
 
 #include <array>
@@ -47,11 +47,11 @@ struct Box {
 // The largest of 1, 2, 5 · 10^n that is not above x.
 double round_down(double x);
 
-// The largest of 1, 2, 5 · 10^n of which about five fit into `size`.
+// The largest of 1, 2, 5 · 10^n that fits about five times into `size`.
 double grid_step(double size);
 
-// The path data of grid lines `step` apart on a square paper of `side`, its middle showing `middle`, `scale` of paper a
-// unit.
+// The path data of grid lines `step` apart on a square paper of `side`, whose middle shows `middle`, with the scale
+// `scale`.
 std::string grid_lines(const Point2& middle, double step, double scale, double side);
 
 }  // namespace toolcomp::certify

@@ -64,8 +64,9 @@ Replay replay(const std::filesystem::path& file, const ReplayOptions& options) {
   result.finding = read_finding(spec::read_file(file), file.string());
   const spec::Case& c = result.finding.smallest;
   if (static_cast<std::size_t>(std::ranges::count(c.program, '\n')) > kMostLines)
-    throw spec::InputError(file.string(), 0, 0,
-                           "program: has more than " + std::to_string(kMostLines) + " lines, which no finding has");
+    throw spec::InputError(
+        file.string(), 0, 0,
+        "program: has more than " + std::to_string(kMostLines) + " lines, the most that a finding can have");
   const fuzz::ModelRun run = fuzz::run_model(c);
   result.asked = options.controller.value_or(command_of(result.finding));
   const bool theirs = !options.controller && !result.asked.empty() && result.asked != kFormalSpecification;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A finding, judged again.
+// Judges a finding again.
 #pragma once
 
 #include <chrono>
@@ -15,25 +15,25 @@
 namespace toolcomp::certify {
 
 struct ReplayOptions {
-  std::optional<std::string> controller;  // instead of the finding's own; empty: the built-in engine
+  std::optional<std::string> controller;  // instead of the controller of the finding; empty: the built-in engine
   std::chrono::milliseconds timeout{10'000};
-  // Told the command that the file names before it is run; throws where it must not be.
+  // Called with the command that the file names, before it is run. Throws if it must not be run.
   std::function<void(const std::string& command)> before_running;
 };
 
 struct Replay {
   Finding finding;            // as read
-  Judgement judgement;        // of the last try
-  FailureKey key;             // of it
+  Judgement judgement;        // of the last attempt
+  FailureKey key;             // key of this judgement
   std::string asked;          // the command; empty: the built-in engine
-  std::uint64_t tried = 0;    // with fresh processes
-  std::string other_subject;  // what the controller says of itself, where it is not what it said then
+  std::uint64_t tried = 0;    // number of attempts with fresh processes
+  std::string other_subject;  // what the controller announces now, if it differs from what it announced then
   [[nodiscard]] bool reproduced() const { return judgement.result == Result::differs && key == finding.key; }
 };
 
-// Asks a fresh process what the finding was asked, all before it included, and judges the answer: until it differs,
-// three times, or where it did not come every time three times as often as it should take. Throws spec::InputError for
-// a file that is no finding or case.
+// Asks a fresh process the requests of the finding, including the earlier ones, and judges the answer. It repeats this
+// until the answer differs: three times, or, if the finding was not reproduced every time, three times as often as its
+// rate requires. Throws spec::InputError for a file that is not a finding or a case.
 Replay replay(const std::filesystem::path& file, const ReplayOptions& options = {});
 
 }  // namespace toolcomp::certify

@@ -164,17 +164,17 @@ std::string explanation(const Finding& f) {
   if (kind == "reply too long") return "The controller gives " + f.actual + ".";
   const std::string place = "Line " + std::to_string(f.line) + ": ";
   if (kind == "missing field")
-    return place + f.field + " is announced in the capabilities and missing in event " +
+    return place + f.field + " is announced in the capabilities, and is missing in event " +
            std::to_string(f.event.value_or(0) + 1) + ".";
-  if (kind == kNeverSent) return place + f.field + " is announced in the capabilities and comes in no answer.";
+  if (kind == kNeverSent) return place + f.field + " is announced in the capabilities, and is in no answer.";
   if (kind == "missing event") return place + "the event " + f.expected + " is missing; there is " + f.actual + ".";
-  if (kind == "extra event") return place + "there is " + f.actual + " where the specification has " + f.expected + ".";
+  if (kind == "extra event") return place + "there is " + f.actual + ", and the specification has " + f.expected + ".";
   if (kind == "order") return place + "the events come in another order: " + f.actual + " before " + f.expected + ".";
   if (kind.starts_with("law "))
-    return place + "the model itself breaks the law " + f.field + ": " + f.expected + " does not hold, by " + f.actual +
+    return place + "the model itself breaks the law " + f.field + ". Checked: " + f.expected + ". Found: " + f.actual +
            ".";
   if (kind == kSpecificationKind)
-    return place + f.field + " is " + f.expected + " by the model and " + f.actual + " by the formal specification.";
+    return place + f.field + " is " + f.expected + " in the model and " + f.actual + " in the formal specification.";
   std::string text = place + f.field + " is " + f.actual + " and should be " + f.expected;
   if (f.deviation_um != 0) text += fmt::format(" ({:.3g} µm off)", f.deviation_um);
   return text + ".";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The report of a certification: a page for people, JUnit XML and JSON for machines, a file for every finding.
+// The report of a certification: a page for people, JUnit XML and JSON for programs, and a file for every finding.
 #pragma once
 
 #include <filesystem>
@@ -13,14 +13,16 @@
 
 namespace toolcomp::certify {
 
-// One self-contained HTML page: it asks for nothing from anywhere, and is whole without scripts; readable on a phone
-// and on paper, light and dark.
+// One self-contained HTML page. It loads nothing from outside and is complete without scripts. It is readable on a
+// phone and on paper, light and dark.
 std::string html_report(const Certificate& certificate);
-// A test suite a section, a test case a clause: failed with findings, skipped if not exercised.
+// One test suite for each section, one test case for each clause: failed if it has findings, skipped if it was not
+// exercised.
 std::string junit_report(const Certificate& certificate);
-// Everything the page says, without the pictures.
+// Everything in the page, without the pictures.
 std::string json_report(const Certificate& certificate);
-// SARIF 2.1.0: a rule a clause that a finding is laid to, a result a group of findings with one cause.
+// SARIF 2.1.0: one rule for each clause to which a finding is attributed, one result for each group of findings with
+// one cause.
 std::string sarif_report(const Certificate& certificate);
 
 // index.html, junit.xml, certificate.json, certificate.sarif and findings/NN-KIND.json in `folder`; finding files of an
@@ -28,7 +30,7 @@ std::string sarif_report(const Certificate& certificate);
 // cannot be written.
 std::vector<std::filesystem::path> write_report(const Certificate& certificate, const std::filesystem::path& folder);
 
-// The findings of a report that stands in the folder, but these.
+// Removes the findings of a report in the folder, except these.
 void remove_findings(const std::filesystem::path& report, const std::vector<spec::FileText>& but = {});
 
 // The same for a trace of program `c`, recorded in `file`.
@@ -39,7 +41,7 @@ struct TraceReport {
   TraceResult result;
   Occasion occasion;
 };
-// How far or how long, in words: "0.5", "0.49 to 0.51", "0.1, C 5", "0.2 s".
+// The size of a finding in words, as distance or time: "0.5", "0.49 to 0.51", "0.1, C 5", "0.2 s".
 std::string extent(const TraceFinding& finding);
 std::string html_report(const TraceReport& report);
 std::string junit_report(const TraceReport& report);
@@ -51,10 +53,10 @@ void write_report(const TraceReport& report, const std::filesystem::path& folder
 std::string file_name(const Finding& finding, std::size_t index);
 // One or two sentences on what differs.
 std::string explanation(const Finding& finding);
-// The same, with the clause it rests on and how that is known before it.
+// The same, preceded by the clause it rests on and how well that is known.
 std::string accusation(const Finding& finding);
-// Where it does not come every time and by itself: ", after 49 requests before it", ", in 3 of 10 runs", ", not
-// settled: no time was left".
+// For a finding that is not reproduced every time and by itself: ", after 49 requests before it", ", in 3 of 10 runs",
+// ", not settled: no time was left".
 std::string how_it_comes(const Finding& finding);
 
 }  // namespace toolcomp::certify

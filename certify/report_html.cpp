@@ -88,17 +88,17 @@ std::vector<std::string> not_judged(const Certificate& c, const SectionResult& a
       not_asked.emplace_back(section);
   if (!not_asked.empty()) items.push_back("not asked for: " + list_of(not_asked));
   const std::vector<std::string> fields = fields_not_judged(c.subject);
-  if (!fields.empty()) items.push_back("fields that the controller does not announce: " + list_of(fields));
+  if (!fields.empty()) items.push_back("event fields that the controller does not announce: " + list_of(fields));
   if (const std::uint64_t undecided = all.count(Result::undecided); undecided > 0)
     items.push_back(plural(undecided, "case") + " that the oracle could not decide");
   if (all.wide > 0)
     items.push_back(
-        fmt::format("{} values that the policy would have to grant more than {} µm ({} cases have more than "
-                    "{} % of such)",
+        fmt::format("{} values with a tolerance of more than {} µm ({} cases have more than {} % of such values)",
                     all.wide, fuzz::policy::kCap, all.wide_cases, 100 * fuzz::policy::kMostWide));
   if (all.cut_cases > 0)
-    items.push_back("the end of " + plural(all.cut_cases, "case") + ", from what is not supported on");
-  if (all.out_of_scope > 0) items.push_back(plural(all.out_of_scope, "event") + " behind what is out of scope");
+    items.push_back("the end of " + plural(all.cut_cases, "case") +
+                    ", from the first word that is not supported or not judged");
+  if (all.out_of_scope > 0) items.push_back(plural(all.out_of_scope, "event") + " after a block that is out of scope");
   if (const std::size_t clauses = clauses_not_exercised(c).size(); clauses > 0)
     items.push_back("<a href=\"#not-exercised\">" + plural(clauses, "clause") + " not exercised</a>");
   return items;
@@ -114,21 +114,20 @@ std::string identity(const Certificate& c) {
   return facts({{"controller", unnamed ? escape(subject_name(c)) : escape(c.subject.name)},
                 {"its version", told(c.subject.version)},
                 {"its serial number", told(c.occasion.serial)},
-                {"its command", id.controller.empty() ? "none: in process" : code(id.controller)},
+                {"its command", id.controller.empty() ? "none: it runs in this process" : code(id.controller)},
                 {"resolution", escape(c.subject.resolution.words())},
                 {"fields judged", list_of(c.subject.fields)},
                 {"fixed settings", c.subject.setup.empty() ? "none" : code(c.subject.setup)},
                 {"date", told(c.occasion.date)},
                 {"operator", told(c.occasion.operated)},
                 {"command line", c.occasion.arguments.empty() ? "not stated" : code(c.occasion.arguments)},
-                {"seed", count(id.seed) + fmt::format(", {} generated cases a section", id.generated)},
+                {"seed", count(id.seed) + fmt::format(", {} generated cases in each section", id.generated)},
                 {"tool", escape(id.tool) + " " + code(id.tool_hash)},
                 {"clause set", code(id.clause_hash)},
                 {"golden corpus", golden},
                 {"setups", fmt::format("{} different ones {}", id.setups, code(id.setup_hash))}}) +
-         "<p class=\"soft\">Hashes are SHA-256. Apart from the date, and from what there was no time to settle, the "
-         "same "
-         "tool, seed and corpus give the same certificate.</p>\n";
+         "<p class=\"soft\">Hashes are SHA-256. The same tool, seed and corpus give the same certificate, except for "
+         "the date and for findings that there was no time to settle.</p>\n";
 }
 
 // For the one who signs: it stands alone on its sheet of paper.
@@ -137,29 +136,29 @@ std::string first_page(const Certificate& c) {
   std::string out = "<section class=\"first\">\n<h1>Certificate of " + escape(subject_name(c)) + "</h1>\n<p>" +
                     badge(verdict(c), tone_of(c)) + "</p>\n";
   if (!c.self_check.empty())
-    out += "<p class=\"bad\">The harness failed its own check: " + escape(c.self_check) + ".</p>\n";
+    out += "<p class=\"bad\">The self-check of the harness failed: " + escape(c.self_check) + ".</p>\n";
   out += fmt::format(
-      "<p>Judged: {}. Held against the exact model: {} in {}; {} agree, {} differ in {}, {} could not be decided. {} "
-      "values were compared; the worst that was accepted lies {} µm ({} ulp) outside its exact enclosure.</p>\n",
+      "<p>Judged: {}. Compared with the exact model: {} in {}. {} agree, {} differ in {}, {} could not be decided. {} "
+      "values were compared. The worst accepted value is {} µm ({} ulp) outside its exact enclosure.</p>\n",
       escape(scope(c)), plural(all.total(), "case"), plural(c.sections.size(), "section"), all.count(Result::agrees),
       all.count(Result::differs), plural(c.findings.size(), "finding"), all.count(Result::undecided), all.values,
       small(all.worst_um), small(all.worst_ulp));
   out += "<p id=\"rests-on\">What it rests on: " + escape(words_on_known(c)) + ".</p>\n";
   if (all.bias.count > 0)
     out += fmt::format(
-        "<p>Of {} rounded lengths the mean lies {:+.3g} µm off the exact one, the worst {:+.3g} µm: rounding to "
-        "nearest has no mean, and down half an increment.</p>\n",
+        "<p>{} rounded lengths differ from the exact ones by {:+.3g} µm on average, the worst by {:+.3g} µm. With "
+        "rounding to nearest the average is 0, with rounding down it is half an increment.</p>\n",
         all.bias.count, all.bias.mean(), all.bias.worst);
   if (!c.chatter.empty())
-    out += "<p class=\"soft\">The controller writes on its standard output what is no answer: " + code(c.chatter) +
-           ".</p>\n";
+    out += "<p class=\"soft\">The controller writes lines on its standard output that are not answers: " +
+           code(c.chatter) + ".</p>\n";
   if (!c.without_effect.empty())
-    out += "<p>Read, no effect on what is judged: " + list_of({c.without_effect.begin(), c.without_effect.end()}) +
-           ".</p>\n";
+    out += "<p>Codes that were read and have no effect on what is judged: " +
+           list_of({c.without_effect.begin(), c.without_effect.end()}) + ".</p>\n";
   out += "<h2 id=\"not-judged\">Not judged</h2>\n<ul>\n";
   const std::vector<std::string> items = not_judged(c, all);
   for (const std::string& item : items) out += "<li>" + item + "</li>\n";
-  if (items.empty()) out += "<li>nothing of what was asked</li>\n";
+  if (items.empty()) out += "<li>none: everything that was asked for was judged</li>\n";
   out += "</ul>\n<h2 id=\"identity\">Identity</h2>\n" + identity(c);
   out += std::string(kSignature) + "</section>\n";
   out += R"(<nav><a href="#sections">Sections</a><a href="#findings">Findings</a>)";
@@ -171,7 +170,7 @@ std::string sections(const Certificate& c) {
   std::vector<Row> cases{{"section", "golden", "generated", "own", "agree", "differ", "undecided", "nothing judged",
                           "not applicable", "not run", "more than 1 % not judged", "fewer than three events"}};
   std::vector<Row> values{{"section", "values", "not judged", "out of scope", "decisions", "near ties", "ties",
-                           "worst µm", "worst ulp", "permitted ulp", "proved of the fast engine"}};
+                           "worst µm", "worst ulp", "permitted ulp", "proved for the fast engine"}};
   std::vector<std::string> not_applicable;
   for (const SectionResult& s : c.sections) {
     if (s.count(Result::not_applicable) == s.total()) {
@@ -192,13 +191,13 @@ std::string sections(const Certificate& c) {
                       escape(fuzz::policy::budget(s.section).proved)});
   }
   std::string out = "<h2 id=\"sections\">Sections</h2>\n<h3>Cases</h3>\n" + table(cases, 1) +
-                    "<h3>What was judged in them</h3>\n" + table(values, 1);
+                    "<h3>Values judged in these cases</h3>\n" + table(values, 1);
   if (!not_applicable.empty()) out += "<p>Not applicable: " + list_of(not_applicable) + ".</p>\n";
   out +=
-      "<p class=\"soft\">A near tie is a decision whose exact margin lies inside the band that double precision (or "
-      "the controller's "
-      "resolution) cannot resolve; a tie is one where the controller took the other, permitted, outcome. Where sums of "
-      "decimals are compared, an exact tie is neither: it goes as its clause says.</p>\n";
+      "<p class=\"soft\">A near tie is a decision whose exact margin is inside the band that double precision (or the "
+      "resolution of the controller) cannot resolve. A tie is a near tie at which the controller took the other, "
+      "permitted outcome. An exact tie between sums of decimals counts as neither: the controller must decide it as "
+      "its clause says.</p>\n";
   if (c.unsettled.empty()) return out;
   std::vector<Row> unsettled{{"case", "section", "result", "why"}};
   for (const Unsettled& u : c.unsettled)
@@ -235,8 +234,9 @@ std::string finding(const Finding& f, std::size_t index) {
   rows.push_back({"cases", fmt::format("{}, the first {}", f.occurrences, code(f.first_case))});
   if (!f.not_settled.empty()) rows.push_back({"not settled", escape(f.not_settled)});
   if (!f.status.empty()) rows.push_back({"the process", escape(f.status)});
-  if (!f.before.empty()) rows.push_back({"asked before", fmt::format("{} cases, in the file", f.before.size())});
-  if (f.seen < f.tried) rows.push_back({"comes again", fmt::format("in {} of {} runs", f.seen, f.tried)});
+  if (!f.before.empty())
+    rows.push_back({"earlier requests", fmt::format("{} cases, listed in the file", f.before.size())});
+  if (f.seen < f.tried) rows.push_back({"reproduced", fmt::format("in {} of {} runs", f.seen, f.tried)});
   rows.push_back({"judge again", code("toolcomp replay findings/" + file_name(f, index))});
   out += facts(rows);
   out += listing(f.smallest.program, f.line);
@@ -250,7 +250,7 @@ std::string finding(const Finding& f, std::size_t index) {
   options.marked = f.event;
   out += view(fmt::format("Finding {}", index + 1), f.smallest, view_run(f.smallest, f.expected_events), {options, {}},
               path_svg(f.expected_events, f.smallest.setup.axes, options));
-  if (!f.complete) out += "<p class=\"soft\">Not shrunk to the end: a smaller program may fail too.</p>\n";
+  if (!f.complete) out += "<p class=\"soft\">Not shrunk completely: a smaller program may fail too.</p>\n";
   return out + "</article>\n";
 }
 
@@ -278,16 +278,18 @@ std::string findings(const Certificate& c) {
   if (c.findings.empty()) return out + "<p>None.</p>\n";
   std::vector<bool> shown(c.findings.size(), c.causes.empty());
   if (!c.causes.empty()) {
-    std::vector<Row> causes{{"what it looks like", "findings", "cases", "findings, the one that stands for it first"}};
+    std::vector<Row> causes{{"likely cause", "findings", "cases", "findings, the representative one first"}};
     for (const SharedCause& cause : c.causes) {
       shown[cause.findings.front()] = true;
       std::string links;
       for (const std::size_t i : cause.findings) links += fmt::format("<a href=\"#finding-{0}\">{0}</a> ", i + 1);
       causes.push_back({escape(cause.words), count(cause.findings.size()), count(cause.cases), links});
     }
-    out += table(causes) + "<p class=\"soft\">Each explains its findings whole; another mistake may look the same. " +
-           escape(words_on_settling(c)) +
-           ": asked again and shortened. The other findings are as they were seen.</p>\n";
+    out +=
+        table(causes) +
+        "<p class=\"soft\">Each cause explains its findings completely, but another mistake may look the same. " +
+        escape(words_on_settling(c)) +
+        ". A settled finding was reproduced and shrunk. The other findings are recorded as they were first seen.</p>\n";
   }
   std::vector<Row> rows{{"", "section", "clause of first divergence", "known", "kind", "settled", "file", "cases"}};
   for (std::size_t i = 0; i < c.findings.size(); ++i) rows.push_back(finding_row(c.findings[i], i, shown[i]));
@@ -300,8 +302,7 @@ std::string findings(const Certificate& c) {
 // The exact paths of the user's own programs.
 std::string programs(const Certificate& c) {
   if (c.pictures.empty()) return {};
-  std::string out =
-      "<h2 id=\"programs\">Programs</h2>\n<p class=\"soft\">The exact paths, as the model gives them.</p>\n";
+  std::string out = "<h2 id=\"programs\">Programs</h2>\n<p class=\"soft\">The exact paths that the model gives.</p>\n";
   for (const Picture& picture : c.pictures) out += "<h3>" + code(picture.id) + "</h3>\n" + picture.html;
   return out;
 }
@@ -352,10 +353,9 @@ std::string known_table(const Certificate& c) {
     rows.push_back(std::move(row));
   }
   return "<h3>What they rest on</h3>\n<p>" + escape(words_on_known(c)) +
-         ".</p>\n<p class=\"soft\">manual: a page of a manual of this control was seen; sister: one of another series, "
-         "or of "
-         "another vendor with the same rule; recollection: the text of a section, from memory; ours: our "
-         "definition.</p>\n" +
+         ".</p>\n<p class=\"soft\">manual: a page of a manual of this control was seen. sister: a page of another "
+         "series was seen, or of another vendor with the same rule. recollection: the text of a section, from memory. "
+         "ours: our definition.</p>\n" +
          table(rows, 1);
 }
 
@@ -367,9 +367,8 @@ std::string left_out(const Certificate& c) {
   for (const auto& [clause, events] : left_out_for(c))
     rows.push_back({code(spec::info(clause).id), escape(spec::cited(spec::info(clause))), count(events)});
   return "<h3 id=\"left-out\">Left out</h3>\n<p>" + escape(words) +
-         ". An event may rest on several clauses; events behind one in which the controller does otherwise are left "
-         "out "
-         "without a clause of their own.</p>\n" +
+         ". An event may rest on several clauses. If the controller differs in an event that is left out, the events "
+         "after it are left out too, without a clause of their own.</p>\n" +
          table(rows, 2);
 }
 
@@ -383,10 +382,10 @@ std::string clauses(const Certificate& c) {
       shown.push_back(section);
   }
   for (const std::string_view section : shown) out += clause_table(c, section);
-  out +=
-      clause_list("not-exercised", "Clauses not exercised", "Nothing is said about these.", clauses_not_exercised(c));
+  out += clause_list("not-exercised", "Clauses not exercised", "The certificate says nothing about these.",
+                     clauses_not_exercised(c));
   return out + clause_list("open", "Open clauses relied on",
-                           "The manual is silent; the result rests on a definition of ours.",
+                           "The manual does not decide these. The result rests on our own definition.",
                            open_clauses_relied_on(c));
 }
 

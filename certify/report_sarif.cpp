@@ -25,7 +25,7 @@ Json rule(const std::string& id) {
   Json json{{"id", id}};
   const auto clause = spec::find_clause(id);
   if (!clause) {
-    json["shortDescription"] = text("A difference that no clause stands behind.");
+    json["shortDescription"] = text("A difference that cannot be attributed to a clause.");
     return json;
   }
   const spec::ClauseInfo& info = spec::info(*clause);

@@ -53,15 +53,15 @@ std::string first_page(const TraceReport& report, std::string_view verdict, std:
   const std::string rotary =
       turns ? " and " + plain(report.options.rotary_tolerance.value_or(report.options.tolerance), 9) + " degrees" : "";
   out += fmt::format(
-      "<p>{} samples were judged against the exact path with a tolerance of {} {}{}: {} lie off it, {} of {} corners "
-      "were not reached, {} {} of {} are covered.</p>\n",
+      "<p>{} samples were judged against the exact path with a tolerance of {} {}{}. {} samples are off the path, {} "
+      "of {} corners were not reached, and {} {} of {} are covered.</p>\n",
       r.samples, plain(report.options.tolerance, 9), unit, rotary, r.off, r.corners_missed, r.corners,
       plain(r.covered, 6), unit, plain(r.length, 6));
   if (r.cause) out += "<p><b>One mistake explains everything found:</b> " + escape(*r.cause) + ".</p>\n";
   out += "<h2>Not judged</h2>\n" +
          facts({{"axes not recorded", r.not_recorded.empty() ? "none" : escape(r.not_recorded)},
                 {"moves judged at their ends only", std::to_string(r.not_judged_moves)},
-                {"long time steps, for want of a steady period", std::to_string(r.steps_not_judged)}});
+                {"long time steps, because the recording has no steady period", std::to_string(r.steps_not_judged)}});
   std::vector<Row> figures{
       {"axes judged", escape(r.recorded)},
       {"largest accepted distance", fmt::format("{} {} (CSV line {})", plain(r.worst.upper, 9), unit, r.worst_sample)},

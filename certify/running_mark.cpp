@@ -46,7 +46,8 @@ std::optional<RunningMark::Earlier> read_mark(const fs::path& file) {
   const Json state = spec::read_outside_json(spec::read_file(file), file.string());
   if (!state.is_object()) return RunningMark::Earlier{};
   if (const auto process = value_at<std::int64_t>(state, "process"); is_running(process))
-    throw spec::InputError(file.parent_path().string(), 0, 0, fmt::format("process {} is at work there", process));
+    throw spec::InputError(file.parent_path().string(), 0, 0,
+                           fmt::format("process {} is still working in this folder", process));
   return RunningMark::Earlier{value_at<std::string>(state, "begun"), value_at<std::uint64_t>(state, "done"),
                               value_at<std::uint64_t>(state, "all")};
 }
@@ -90,7 +91,7 @@ std::optional<fs::path> set_aside(const fs::path& folder) {
 
 std::string words(const RunningMark::Earlier& earlier) {
   std::string text =
-      "the run begun at " + (earlier.begun.empty() ? "a time unknown" : earlier.begun) + " ended without a report";
+      "the run begun at " + (earlier.begun.empty() ? "an unknown time" : earlier.begun) + " ended without a report";
   if (earlier.all > 0)
     text += fmt::format(", after {} of {} cases", earlier.done, earlier.all);
   else if (earlier.done > 0)

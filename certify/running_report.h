@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands on disk while a campaign runs, so that whatever ends it, even a kill, what was found is there.
+// The files on disk while a campaign runs. Whatever ends the campaign, even a kill, the findings so far are there.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@
 
 namespace toolcomp::certify {
 
-// In the folder of a report: findings/ has every finding from the moment it is seen, as a file that can be replayed;
-// its mark (certify/running_mark.h) says what was done so far.
+// In the folder of a report. findings/ has every finding as soon as it is seen, as a file that can be replayed. The
+// mark (certify/running_mark.h) says what was done so far.
 class RunningReport {
  public:
-  // Moves findings of a run that did not come to its report aside, to interrupted-1, interrupted-2, …
+  // Moves the findings of an earlier run that ended without a report aside, to interrupted-1, interrupted-2, …
   RunningReport(std::filesystem::path folder, const std::string& command);
 
-  // What became of the earlier run, for people; empty: it came to its report.
+  // What happened to the earlier run, for people; empty if it wrote its report.
   [[nodiscard]] const std::string& earlier() const { return earlier_; }
 
   void found(const Finding& finding);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// SARIF 2.1.0: what the logs of all reports share.
+// SARIF 2.1.0: the common parts of the logs of all reports.
 #pragma once
 
 #include <cstdint>
@@ -24,9 +24,9 @@ std::string log(Json rules, Json invocation, Json results);
 // Results of recorded runs, with their rules.
 class TraceResults {
  public:
-  // At its sample in the file of the recording.
+  // Adds a finding at its sample in the file of the recording.
   void add(const TraceFinding& finding, const std::string& file);
-  // What is wrong with the whole of a run, at the first line of a file.
+  // Adds a fault of a whole run, at the first line of a file.
   void add(const std::string& kind, const std::string& message, const std::string& file);
   [[nodiscard]] std::string log(Json invocation) const { return sarif::log(rules_, std::move(invocation), results_); }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// JSON Schemas of the files that are passed on: what their readers accept, and no more. They stand in corpus/schema
+// JSON Schemas of the files that are passed on. They describe exactly what the readers accept. corpus/schema has them
 // too.
 #pragma once
 

@@ -62,7 +62,7 @@ Settled settle(std::vector<Sighting> sightings, const SettlingOptions& options) 
       Finding& other = result.findings.emplace_back(std::move(sightings[i].finding));
       other.seen = other.tried = 0;
       other.complete = false;
-      other.not_settled = fmt::format("finding {} stands for its group", first + 1);
+      other.not_settled = fmt::format("finding {} represents its group", first + 1);
       if (settled.not_settled.empty()) other.before = last_of(other.before, settled.before.size());
     }
     std::iota(group.findings.begin(), group.findings.end(), first);

@@ -9,7 +9,7 @@
 
 namespace toolcomp::certify {
 
-// Whether a candidate still fails in the same way. Called once for every different candidate.
+// Says whether a candidate still fails in the same way. Called once for every different candidate.
 using StillFails = std::function<bool(const spec::Case&)>;
 
 struct ShrinkOptions {
@@ -19,11 +19,11 @@ struct ShrinkOptions {
 struct Shrunk {
   spec::Case smallest;
   std::size_t runs = 0;   // calls of the predicate
-  bool complete = false;  // nothing simpler fails; false where max_runs ended the search
+  bool complete = false;  // nothing simpler fails; false if max_runs ended the search
 };
 
-// Requires that `failing` fails (it is not tried again). Leaves out runs of blocks, then of words, joins blocks, leaves
-// out setup entries, then shortens numbers, over and over until nothing can be left out. At least one block stays.
+// Requires that `failing` fails (it is not tried again). Removes runs of blocks, then of words, joins blocks, removes
+// setup entries, then shortens numbers, and repeats this until nothing can be removed. At least one block stays.
 // Deterministic. `expect` is dropped: it belongs to the original program.
 Shrunk shrink(const spec::Case& failing, const StillFails& still_fails, const ShrinkOptions& options = {});
 

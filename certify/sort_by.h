@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sorting that keeps what is equal in its order.
+// Stable sorting: equal values keep their order.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace toolcomp::certify {
 
-// By what `key` gives of a value, ascending. std::stable_sort of this library uses what C++17 has deprecated, and clang
-// says so.
+// Sorts by `key` of a value, ascending. It replaces std::stable_sort, which in this standard library uses a function
+// that C++17 has deprecated, and clang warns about that.
 template <class T, class Key>
 void sort_by(std::vector<T>& values, Key key) {
   using Keys = std::decay_t<std::invoke_result_t<Key&, const T&>>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is certified: something that turns a case into events.
+// A subject, the thing that is certified: it turns a case into events.
 #pragma once
 
 #include <chrono>
@@ -30,20 +30,20 @@ inline constexpr std::size_t kFaultKinds = 5;
 // "crash", "hang", "malformed reply", "reply too long", "error": the kind of the finding.
 std::string name(FaultKind kind);
 
-// An answer that is no list of events.
+// An answer that is not a list of events.
 struct Fault {
   FaultKind kind{};
   std::string what;    // for people
   std::string status;  // how the process ended: "exit status 3", "killed by signal 11 (Segmentation fault)"
-  std::string errors;  // the last of standard error
+  std::string errors;  // last lines of standard error
 };
 
-// An answer that says: no such case for this controller.
+// An answer that the case does not apply to this controller.
 struct NotApplicable {
   std::string why;
 };
 
-// A field that was announced, applies to an event, and is not there.
+// A field that was announced, applies to an event, and is missing.
 struct MissingField {
   std::uint64_t line = 0;
   std::size_t event = 0;  // index
@@ -56,9 +56,9 @@ using ExactEvents = std::vector<model::Event>;
 
 struct Answer {
   std::variant<FastEvents, TextEvents, ExactEvents, Fault, NotApplicable> result;
-  std::optional<MissingField> missing;  // with events: the first one
-  spec::FieldSet sent;                  // of a controller's events: the fields that any of them has
-  // Of a controller: as it came; empty: nothing did. With an initializer, GCC lets aggregates leave it out.
+  std::optional<MissingField> missing;  // with events: the first missing field
+  spec::FieldSet sent;                  // of a controller's events: the fields that at least one of them has
+  // The line of a controller as it came; empty if nothing came. With an initializer, GCC lets aggregates leave it out.
   std::string line = {};  // NOLINT(readability-redundant-member-init)
 };
 
@@ -66,7 +66,7 @@ struct Answer {
 class Subject {
  public:
   virtual ~Subject() = default;
-  // What the subject says about itself; a fault if it could not be asked.
+  // The capabilities of the subject; a fault if it could not be asked.
   virtual std::variant<Capabilities, Fault> capabilities() = 0;
   // The subject's answer to a case. `patience` shortens the time-out.
   virtual Answer run(const spec::Case& c, std::optional<std::chrono::milliseconds> patience = {}) = 0;
@@ -74,21 +74,22 @@ class Subject {
   [[nodiscard]] virtual bool is_fast_engine() const { return false; }
   // The longest time an answer took so far.
   [[nodiscard]] virtual std::chrono::milliseconds slowest() const { return std::chrono::milliseconds(0); }
-  // Cases it has answered so far, rightly or wrongly.
+  // Number of cases it has answered so far, right or wrong.
   [[nodiscard]] virtual std::uint64_t answers() const { return 0; }
-  // Processes started so far: what one has been told, the next does not know. 0 for ever: there is none.
+  // Number of processes started so far. A process does not know the requests to an earlier one. Always 0 if there is no
+  // process.
   [[nodiscard]] virtual std::uint64_t starts() const { return 0; }
-  // The next request meets a fresh process.
+  // Makes the next request go to a fresh process.
   virtual void restart() {}
-  // The last of standard error, and the first line on standard output that is no answer.
+  // The last lines of standard error, and the first line on standard output that is not an answer.
   [[nodiscard]] virtual std::string errors() const { return {}; }
   [[nodiscard]] virtual std::string chatter() const { return {}; }
   // The first answer to hello, as it came.
   [[nodiscard]] virtual std::string hello() const { return {}; }
 };
 
-// The formal specification in this process (formal/engine.h): exact events, which are held exactly (exactly.h).
-// Requires formal::available(); from one thread, always the same. InputError passes through.
+// The formal specification in this process (formal/engine.h). Its events are exact and are compared exactly
+// (exactly.h). Requires formal::available(), and always the same thread. InputError passes through.
 std::unique_ptr<Subject> formal_specification();
 
 // The fast engine in this process: every section and field, in double. InputError of the engine passes through.

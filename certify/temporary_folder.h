@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// A folder that goes with its user.
+// A temporary folder that is removed with its object.
 #pragma once
 
 #include <filesystem>
 
 namespace toolcomp::certify {
 
-// New and empty, in the system's folder of such; removed with all that is in it, unless it is kept.
+// A new empty folder in the system's temporary folder. It is removed with everything in it, unless it is kept.
 class TemporaryFolder {
  public:
-  // Throws std::runtime_error where none can be made.
+  // Throws std::runtime_error if the folder cannot be made.
   TemporaryFolder();
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;

@@ -48,7 +48,7 @@ std::vector<spec::Case> read_inputs(const CertifyOptions& options) {
   for (const std::string& path : options.inputs) {
     if (fs::path(path).extension() == ".jsonl") {
       std::vector<spec::Case> read = corpus::read_cases(path);
-      if (read.empty()) throw spec::InputError(path, 1, 1, "holds no case");
+      if (read.empty()) throw spec::InputError(path, 1, 1, "contains no case");
       for (spec::Case& c : read) {
         expect_readable(c, path + ": " + c.id);
         if (options.samples) c.samples = *options.samples;
@@ -96,7 +96,7 @@ void say_how_the_path_ends(const certify::TraceResult& result, const std::string
     if (event.kind == spec::EventKind::alarm)
       std::cerr << name << ':' << event.line << ": the path ends in " << event.number.view() << '\n';
   if (result.undecided.empty() && result.corners == 0) std::cerr << name << ": no move to judge\n";
-  if (result.corners > 0 && result.samples == 0) std::cerr << "the trace holds no sample\n";
+  if (result.corners > 0 && result.samples == 0) std::cerr << "the trace contains no sample\n";
 }
 
 // The formal specification of this command.
@@ -125,7 +125,7 @@ spec::KnownSet known_of(const CertifyOptions& options) {
 
 // A recording is held against the path whole: one place leads to the next.
 void refuse_known(const CertifyOptions& options) {
-  if (options.known) usage("--known is for controllers that answer; a recording is judged whole");
+  if (options.known) usage("--known is only for controllers that answer; a recording is judged as a whole");
 }
 
 std::optional<certify::Adapter> adapter_named(const CertifyOptions& options) {
@@ -150,7 +150,7 @@ certify::Occasion occasion_of(const CertifyOptions& options) {
 }
 
 int certify_trace(const CertifyOptions& options) {
-  if (options.inputs.size() != 1) usage("--trace judges one program: name it");
+  if (options.inputs.size() != 1) usage("--trace judges one program; name one");
   if (options.tolerance.empty()) usage("--trace needs --tolerance");
   certify::TraceReport report;
   report.c = read_inputs(options).front();
@@ -203,7 +203,7 @@ void print(const certify::SharedCause& group, const certify::Finding& finding, c
   fmt::print("\n{} {} {} ({} cases, first {}{})\n{}  {}{}, in {} finding{}\n  {}\n{}  toolcomp replay {}\n",
              painted(Paint::bad, "FINDING", Stream::out), finding.key.kind, finding.key.clause, group.cases,
              spec::printable(finding.first_case), certify::how_it_comes(finding),
-             known.empty() ? "" : fmt::format("  known as {}\n", known), explained ? "looks like: " : "",
+             known.empty() ? "" : fmt::format("  known as {}\n", known), explained ? "likely cause: " : "",
              spec::printable(group.words), group.findings.size(), group.findings.size() == 1 ? "" : "s",
              spec::printable(certify::explanation(finding), 2000), spec::printable_lines(finding.smallest.program),
              file.string());
@@ -221,9 +221,10 @@ void print(const certify::Certificate& certificate, const std::vector<fs::path>&
     fmt::print("\n{} findings; {} (--settle)\n", findings.size(), certify::words_on_settling(certificate));
   if (!certificate.self_check.empty()) std::cerr << "self-check failed: " << certificate.self_check << '\n';
   if (!certificate.without_effect.empty())
-    fmt::print("read, no effect on what is judged: {}\n", fmt::join(certificate.without_effect, " "));
+    fmt::print("codes that were read and have no effect on what is judged: {}\n",
+               fmt::join(certificate.without_effect, " "));
   if (!certificate.chatter.empty())
-    std::cerr << "the controller writes on its standard output what is no answer: "
+    std::cerr << "the controller writes lines on its standard output that are not answers: "
               << spec::printable(certificate.chatter) << '\n';
   for (const certify::SectionResult& section : certificate.sections)
     if (certify::too_many_wide(section.values, section.wide))
@@ -268,7 +269,7 @@ int certify(const CertifyOptions& options) {
   expect_folder(options.report, "--report");
   if (!options.trace.empty()) {
     refuse_known(options);
-    refuse_evidence(options, "a trace has no answers to keep: the file of the recording is the evidence");
+    refuse_evidence(options, "a trace has no answers to keep; the recording itself is the evidence");
     return certify_trace(options);
   }
   if (options.controller == kFastEngine)
@@ -281,8 +282,7 @@ int certify(const CertifyOptions& options) {
     certify::expect_programs(*adapter);
     if (adapter->kind == certify::AdapterKind::trace) {
       refuse_known(options);
-      refuse_evidence(options,
-                      "a controller that is recorded has no answers to keep: its recordings are in the report");
+      refuse_evidence(options, "a recorded controller has no answers to keep; its recordings are in the report");
       return certify_adapter(options, *adapter, read_inputs(options), tolerances_of(options), occasion_of(options));
     }
     campaign.controller = adapter->shell_command();
@@ -313,7 +313,7 @@ int certify(const CertifyOptions& options) {
     golden = folder;
   }
   detail("controller: " + campaign.controller);
-  detail(fmt::format("{} cases read, {} generated a section, seed {}", campaign.cases.size(), campaign.generated,
+  detail(fmt::format("{} cases read, {} generated in each section, seed {}", campaign.cases.size(), campaign.generated,
                      campaign.seed));
   if (!golden.empty()) detail(fmt::format("corpus {} of {}", campaign.corpus, golden.string()));
   evidence.begin(campaign, adapter ? adapter->name : "", golden);
@@ -341,7 +341,7 @@ int certify(const CertifyOptions& options) {
     if (can_redraw())
       Progress::line(fmt::format("{:.0f} s, settling {}", elapsed(), line));
     else if (group.number > begun)
-      note(fmt::format("settling, {} at most for all: {}", options.settle, line));
+      note(fmt::format("settling, at most {} for all groups: {}", options.settle, line));
     begun = group.number;
   };
   certify::Certificate certificate = certify::certify(campaign);

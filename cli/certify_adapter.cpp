@@ -53,7 +53,7 @@ void print(const certify::AdapterCampaign& campaign, const certify::AdapterCerti
       std::cerr << run.c.id << ": " << certify::name(run.outcome) << ", " << run.why << '\n';
   }
   for (const certify::LikelyCause& likely : certify::likely_causes(certificate))
-    fmt::print("looks like, in {} of the programs that differ: {}\n", likely.programs, likely.cause);
+    fmt::print("likely cause, in {} of the programs that differ: {}\n", likely.programs, likely.cause);
   if (!certificate.errors.empty()) std::cerr << campaign.adapter.name << ": " << certificate.errors << '\n';
   if (!certificate.interrupted.empty())
     fmt::print("{} programs not run: {}\n", certify::not_run(certificate), certificate.interrupted);
@@ -66,7 +66,8 @@ void print(const certify::AdapterCampaign& campaign, const certify::AdapterCerti
 int certify_adapter(const CertifyOptions& options, const certify::Adapter& adapter, std::vector<spec::Case> cases,
                     const Tolerances& tolerances, const certify::Occasion& occasion) {
   if (!options.corpus.empty() || !options.sections.empty() || options.widths)
-    throw spec::InputError("toolcomp certify", 0, 0, "a recorded controller takes no --corpus, --section and --widths");
+    throw spec::InputError("toolcomp certify", 0, 0,
+                           "--corpus, --section and --widths are not for a recorded controller");
   certify::AdapterCampaign campaign;
   campaign.adapter = adapter;
   campaign.show_known = options.inputs.empty() && options.setup.empty();

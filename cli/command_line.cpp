@@ -26,51 +26,51 @@ const std::map<std::string, Coloring> kColorings{
     {"auto", Coloring::automatic}, {"always", Coloring::always}, {"never", Coloring::never}};
 
 constexpr const char* kAbout =
-    "Exact reference of CNC tool compensation, and judge of controls\n"
-    "toolcomp says what a numerical control makes of a program under tool compensation, exactly and block by block, by "
-    "the rules of its manual; and it judges controls against that.\n"
-    "Standard output carries data, standard error progress and diagnostics. What is wrong with an input is one line "
-    "FILE:LINE:COLUMN: and what was expected; lines and columns count from 1, columns in characters.";
+    "Exact reference model of CNC tool compensation, and judge of controls\n"
+    "toolcomp computes what a numerical control makes of a program under tool compensation: exactly, block by block, "
+    "by the rules of its manual. It also judges controls against these rules.\n"
+    "Data goes to standard output, progress and diagnostics go to standard error. A fault of an input is one line: "
+    "FILE:LINE:COLUMN: what is wrong and what was expected. Lines and columns count from 1, columns in characters.";
 
 constexpr const char* kFooter = R"(Exit status:
-  0  It agrees, or it is done.
+  0  Both sides agree, or the command is done.
   1  A difference was found, or a certificate was refused.
   2  Bad usage or bad input: one line on standard error says what.
-  3  It could not be decided, or nothing was judged.
-  4  A self-check failed: an error of this program.
-  Where several apply: 4 before 2 before 1 before 3.
+  3  A result could not be decided, or nothing was judged.
+  4  A self-check failed: toolcomp itself has an error.
+  If several apply: 4 before 2 before 1 before 3.
 
 Environment:
   NO_COLOR           If it is set and not empty, output has no colors.
   CLICOLOR_FORCE     If it is set and not 0, output always has colors.
   CLICOLOR           If it is 0, output has no colors.
-  COLUMNS            How wide output is; else the terminal is asked.
-  TERM               On one called dumb: no progress, no color.
-  TOOLCOMP_ADAPTERS  Folders of adapters, parted by colons, searched first.
+  COLUMNS            Width of the output; otherwise that of the terminal.
+  TERM               If it is dumb: no progress, no colors.
+  TOOLCOMP_ADAPTERS  Folders of adapters, separated by colons, searched first.
   SOURCE_DATE_EPOCH  Seconds since 1970: the date in reports.
 
 Files:
-  setup.toml           Beside a program: its setup, where --setup names none.
+  setup.toml           In the folder of a program: its setup, without --setup.
   /usr/share/toolcomp  Corpus, adapters, schemas and files for editors.
 
 Examples:
-  A setup to begin with:
+  Write a setup to start from:
     $ toolcomp config example > setup.toml
-  What a program comes to:
+  Run a program:
     $ toolcomp run part.nc --setup setup.toml
-  What the rules are:
+  List the sections and their rules:
     $ toolcomp spec sections)";
 
 // Without any word.
 constexpr const char* kFirstSteps =
     "usage: toolcomp VERB [ARGUMENT…]\n"
     "\n"
-    "  toolcomp config example > setup.toml      a setup to begin with\n"
-    "  toolcomp run PART.nc --setup setup.toml   what the control makes of a program, exactly\n"
-    "  toolcomp explain PART.nc                  why, block by block\n"
+    "  toolcomp config example > setup.toml      write a setup to start from\n"
+    "  toolcomp run PART.nc --setup setup.toml   run a program exactly\n"
+    "  toolcomp explain PART.nc                  explain the result, block by block\n"
     "  toolcomp certify --controller COMMAND     judge a control\n"
     "\n"
-    "`toolcomp --help` lists the verbs, `toolcomp VERB --help` says what each takes.\n";
+    "`toolcomp --help` lists the verbs, `toolcomp VERB --help` describes one.\n";
 
 CLI::App* add(CLI::App* of, const std::string& name, const std::string& about) {
   return of->add_subcommand(name, about)->group("Verbs");
@@ -82,7 +82,7 @@ std::string why_no_verb(const std::string& word, const CLI::App& app) {
   for (const CLI::App* verb : listed_verbs(app)) names.push_back(verb->get_name());
   const std::string meant = spec::did_you_mean(word, names);
   return (word.empty() ? "a verb is missing" : "no verb \"" + word + '"') +
-         (meant.empty() ? "; there are " + CLI::detail::join(names, ", ") : meant);
+         (meant.empty() ? "; expected one of " + CLI::detail::join(names, ", ") : meant);
 }
 
 std::string why_no_option(const std::string& word, const CLI::App& app) {
@@ -113,14 +113,14 @@ CommandLine::~CommandLine() = default;
 void CommandLine::take_manners(CLI::App* app) {
   app->add_flag_callback(
          "-q,--quiet", [this] { loudness_ = Loudness::quiet; },
-         "No progress and no notes on standard error; errors and data stay")
+         "No progress and no notes on standard error; errors and data are still written")
       ->group(kCommonOptions);
   app->add_flag_callback(
          "-v,--verbose", [this] { loudness_ = Loudness::verbose; },
-         "Say what is read, engine, seed and time spent, on standard error")
+         "Write the files read, the engine, the seed and the time spent to standard error")
       ->group(kCommonOptions);
   choose(app, "--color", coloring_, kColorings,
-         "When output has colors (default: auto, on a terminal; NO_COLOR and CLICOLOR_FORCE are honoured)")
+         "Use colors: auto means on a terminal only (default: auto; NO_COLOR and CLICOLOR_FORCE are respected)")
       ->group(kCommonOptions);
   app->set_help_flag("-h,--help", "Print this help")->group(kCommonOptions);
   for (CLI::App* verb : app->get_subcommands({})) take_manners(verb);
@@ -177,7 +177,7 @@ int CommandLine::refuse(const CLI::ParseError& error) const {
     what = option ? why_no_option(word.substr(0, word.find('=')), *app) : why_no_verb(word, *app);
     break;
   }
-  const std::string more = what.ends_with('?') ? "" : "; `" + name + " --help` says more";
+  const std::string more = what.ends_with('?') ? "" : "; `" + name + " --help` gives more";
   std::cerr << painted_diagnostic(spec::printable(name + ": " + what + more, 2000)) << '\n';
   return kBadInput;
 }

@@ -38,14 +38,21 @@ class Candidates {
   std::string text_;
 };
 
+// Up to a full stop that a capital follows: "No. 5003" is none.
+std::string_view first_sentence(std::string_view text) {
+  std::size_t end = text.find(". ");
+  while (end != std::string_view::npos && (end + 2 >= text.size() || text[end + 2] < 'A' || text[end + 2] > 'Z'))
+    end = text.find(". ", end + 1);
+  return text.substr(0, end);
+}
+
 // What an option's word stands for.
 void add_values(Candidates& candidates, const std::string& value) {
   if (value.find('|') != std::string::npos) return candidates.add_all(value);
   if (value == "SECTION")
     for (const std::string_view section : fuzz::sections()) candidates.add(section, "section");
   if (value == "CLAUSE")
-    for (const spec::ClauseInfo& clause : spec::clauses())
-      candidates.add(clause.id, clause.text.substr(0, clause.text.find(". ")));
+    for (const spec::ClauseInfo& clause : spec::clauses()) candidates.add(clause.id, first_sentence(clause.text));
   if (value == "TARGET")
     for (const fuzz::Target& target : fuzz::targets()) candidates.add(target.name, "target");
   if (value == "CONTROLLER") candidates.add("spec", "the formal specification");
@@ -102,7 +109,7 @@ void add_argument(Candidates& candidates, const Given& given) {
     if (place++ == given.arguments || is_repeated(*argument)) return add_values(candidates, argument->get_type_name());
 }
 
-constexpr std::string_view kBash = R"shell(# bash completion for toolcomp: the command itself says what may stand where.
+constexpr std::string_view kBash = R"shell(# bash completion for toolcomp: the command itself lists what may follow.
 _toolcomp() {
   local command=${COMP_WORDS[0]/#\~/$HOME} word=${COMP_WORDS[COMP_CWORD]} line
   [ "$word" != = ] || word=
@@ -123,7 +130,7 @@ complete -F _toolcomp toolcomp
 )shell";
 
 constexpr std::string_view kZsh = R"shell(#compdef toolcomp
-# zsh completion for toolcomp: the command itself says what may stand where.
+# zsh completion for toolcomp: the command itself lists what may follow.
 _toolcomp() {
   local line value kind
   local -a values given
@@ -143,7 +150,7 @@ _toolcomp() {
 [[ ${funcstack[1]} == _toolcomp ]] && _toolcomp "$@" || compdef _toolcomp toolcomp
 )shell";
 
-constexpr std::string_view kFish = R"shell(# fish completion for toolcomp: the command itself says what may stand where.
+constexpr std::string_view kFish = R"shell(# fish completion for toolcomp: the command itself lists what may follow.
 function __toolcomp_complete
     set -l words (commandline -opc)
     set -l command (string replace -r '^~' $HOME -- $words[1])

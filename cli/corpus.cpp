@@ -56,7 +56,7 @@ corpus::GenerateOptions generate_options(const CorpusOptions& options) {
 // One machine's share, as a file in the folder of shards.
 int generate_shard(const CorpusOptions& options) {
   if (options.directory.empty())
-    throw spec::InputError("toolcomp corpus generate --shard", 0, 0, "name the folder of the shards: --dir");
+    throw spec::InputError("toolcomp corpus generate --shard", 0, 0, "name the folder of the shards with --dir");
   corpus::Share share;
   corpus::set_shard(share, options.shard);
   const Progress progress("vectors");
@@ -80,7 +80,8 @@ std::string write_program(const LongProgramOptions& options, const std::string& 
   setup.replace_extension(".toml");
   expect_folder(program.parent_path(), "--out");
   if (fs::is_directory(program)) throw spec::InputError(options.out, 0, 0, "is a folder");
-  if (setup == program) throw spec::InputError(options.out, 0, 0, "the ending .toml is that of the setup beside it");
+  if (setup == program)
+    throw spec::InputError(options.out, 0, 0, "must not end in .toml, which is the name of the setup next to it");
   spec::write_file(setup, setup_text);
   spec::write_file(program, text);
   return setup.string();
@@ -131,7 +132,7 @@ int corpus_diff(const CorpusOptions& options) {
   }
   for (const corpus::Change& change : changes) fmt::print("{}\n", corpus::to_string(change));
   for (const auto& [clause, vectors] : corpus::by_clause(changes))
-    fmt::print("{} answered otherwise: {}\n", vectors, clause.empty() ? "no clause" : clause);
+    fmt::print("{} with another answer: {}\n", vectors, clause.empty() ? "no clause" : clause);
   const corpus::Version version = corpus::parse_version(corpus::read_manifest(options.against).version);
   fmt::print("{} changes; version {} becomes {}\n", changes.size(), corpus::to_string(version),
              corpus::to_string(corpus::raised(version, changes)));

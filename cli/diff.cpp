@@ -75,10 +75,9 @@ int diff(const DiffOptions& options) {
   detail("engines model and fast");
   const auto [verdict, questions] = certify::compare_fast(program, &Progress::count);
   if (verdict.difference) print_difference(*verdict.difference, program.place(verdict.difference->line));
-  note(fmt::format(
-      "{} values judged, {} questions of laws, {} decisions, {} near ties, {} ties; worst {:.3g} ulp, {:.3g} µm",
-      verdict.values, questions, verdict.decisions, verdict.near_ties, verdict.ties, verdict.worst_ulp,
-      verdict.worst_um));
+  note(fmt::format("{} values judged, {} law checks, {} decisions, {} near ties, {} ties; worst {:.3g} ulp, {:.3g} µm",
+                   verdict.values, questions, verdict.decisions, verdict.near_ties, verdict.ties, verdict.worst_ulp,
+                   verdict.worst_um));
   const int unjudged = say_unjudged(program, verdict);
   switch (verdict.outcome) {
     case fuzz::Outcome::agrees:

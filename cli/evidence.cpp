@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 Evidence::Evidence(const CertifyOptions& options) : options_(options) {
   if (options.evidence.empty()) {
-    if (!options.sign.empty()) throw spec::InputError("--sign", 0, 0, "signs the file of --evidence: name one");
+    if (!options.sign.empty()) throw spec::InputError("--sign", 0, 0, "needs --evidence, the file to sign");
     return;
   }
   if (!options.evidence.ends_with(".tar.zst"))

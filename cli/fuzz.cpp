@@ -76,10 +76,10 @@ std::vector<const fuzz::Target*> chosen(const FuzzOptions& options, const fuzzin
       for (const fuzz::Target& known : fuzz::targets()) all.push_back(known.name);
       const std::string meant = spec::did_you_mean(name, all);
       usage(fmt::format("no target {}{}", name,
-                        meant.empty() ? fmt::format("; there are {}", fmt::join(all, ", ")) : meant));
+                        meant.empty() ? fmt::format("; expected one of {}", fmt::join(all, ", ")) : meant));
     }
     if (!bench.can_run(*target))
-      usage("the reader " + name + " has no built-in driver: `./dev fuzz` builds its target");
+      usage("the reader " + name + " has no built-in driver; `./dev fuzz` builds its target");
     add(list, *target);
   }
   if (list.empty())
@@ -89,7 +89,7 @@ std::vector<const fuzz::Target*> chosen(const FuzzOptions& options, const fuzzin
 }
 
 int merge(const FuzzOptions& options) {
-  if (options.campaign.empty()) usage("--merge needs --campaign: the folder of the merged campaign, a new one");
+  if (options.campaign.empty()) usage("--merge needs --campaign, a new folder for the merged campaign");
   const std::vector<fs::path> folders(options.merge.begin(), options.merge.end());
   fuzzing::merge_campaigns(folders, options.campaign);
   fmt::print("{} campaigns merged: {}\n", folders.size(), options.campaign);
@@ -100,7 +100,7 @@ int merge(const FuzzOptions& options) {
 
 int fuzz(const FuzzOptions& options) {
   if (!options.merge.empty()) return merge(options);
-  if (options.runs > 0 && !options.duration.empty()) usage("--for or --runs, not both");
+  if (options.runs > 0 && !options.duration.empty()) usage("give --for or --runs, not both");
   fuzzing::CampaignOptions campaign;
   campaign.temporary = options.campaign.empty();
   if (!campaign.temporary) expect_folder(options.campaign, "--campaign");
@@ -127,7 +127,7 @@ int fuzz(const FuzzOptions& options) {
   campaign.bench.inputs.push_back(campaign.folder / "regression");
   detail(fmt::format("campaign {}: {} targets, {} jobs, seed {}", campaign.folder.string(), campaign.targets.size(),
                      campaign.jobs, campaign.seed));
-  const std::string goes_on = fmt::format("`toolcomp fuzz --campaign {}` goes on", campaign.folder.string());
+  const std::string goes_on = fmt::format("`toolcomp fuzz --campaign {}` resumes the campaign", campaign.folder.string());
   if (temporary) note(fmt::format("seed {}; if this is killed, {}", campaign.seed, goes_on));
   const Stop stop;
   campaign.stop = [&stop] { return !stop.why().empty(); };
@@ -149,7 +149,7 @@ int fuzz(const FuzzOptions& options) {
     if (!stop.why().empty()) std::cerr << stop.why() << '\n';
     if (options.json) std::cerr << text << std::flush;
     std::cout << (options.json ? fuzzing::summary_json(campaign, end, verdict) : text) << std::flush;
-    if (temporary && end.waiting > 0) std::cerr << goes_on << " with what nobody has looked at\n";
+    if (temporary && end.waiting > 0) std::cerr << goes_on << ", with the findings that were not examined\n";
     return verdict.status;
   } catch (const spec::InputError&) {
     throw;

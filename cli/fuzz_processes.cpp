@@ -140,7 +140,7 @@ class BuiltIn {
 int fuzz_worker(const WorkerOptions& options) {
   const fuzz::Target* const target = fuzz::find_target(options.target);
   if (target == nullptr || target->is_reader())
-    throw spec::InputError("toolcomp fuzz-worker", 0, 0, "no target of a section: " + options.target);
+    throw spec::InputError("toolcomp fuzz-worker", 0, 0, "not a fuzz target of a section: " + options.target);
   try {
     return BuiltIn(options, *target).run();
   } catch (const spec::InputError&) {

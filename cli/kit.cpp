@@ -57,7 +57,7 @@ std::optional<spec::Decimal> tolerance_of(const std::string& text) {
 kit::WhyNot asking(const KitOptions& options) {
   const auto adapter = certify::find_adapter(options.controller, certify::adapter_folders(options.adapters));
   if (!adapter)
-    usage("--controller names an adapter (docs/adapters.md), and none is called " + options.controller +
+    usage("--controller must name an adapter (docs/adapters.md); there is no adapter " + options.controller +
           spec::did_you_mean(options.controller, adapter_names(options.adapters)));
   certify::expect_programs(*adapter);
   return [adapter = *adapter](const std::vector<spec::Case>& cases) { return certify::why_not(adapter, cases); };
@@ -77,8 +77,7 @@ int kit_make(const KitOptions& options) {
   how.seed = options.seed;
   how.first_offset = options.first_offset;
   how.tolerance = tolerance_of(options.tolerance).value_or(how.tolerance);
-  detail(
-      fmt::format("corpus {}; {} programs generated besides, seed {}", how.corpus.string(), how.generated, how.seed));
+  detail(fmt::format("corpus {}; {} more programs generated, seed {}", how.corpus.string(), how.generated, how.seed));
   if (!options.controller.empty()) how.why_not = asking(options);
   kit::Kit made;
   {
@@ -124,7 +123,7 @@ int kit_judge(const KitOptions& options) {
   for (const kit::JudgedAlarm& judged : verdict.alarms)
     fmt::print("{}: alarm {}{}{}\n", program_name(judged.number), kit::name(judged.verdict),
                judged.noted.empty() ? "" : ", ", judged.noted);
-  for (const std::string& stranger : verdict.strangers) note(stranger + " is not of this kit");
+  for (const std::string& stranger : verdict.strangers) note(stranger + " is not a program of this kit");
   fmt::print("{} of {} clause outcomes of the kit shown; {}\n", verdict.shown, verdict.kit.recorded + verdict.kit.noted,
              (fs::path(options.report) / "index.html").string());
   return kit::exit_status(verdict);

@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
     std::cerr << cli::painted_diagnostic(cli::in_characters(error).what()) << '\n';
     return cli::kBadInput;
   } catch (const std::bad_alloc&) {
-    std::cerr << "toolcomp: not enough memory for so much input\n";
+    std::cerr << "toolcomp: not enough memory for this input\n";
     return cli::kBadInput;
   } catch (const std::exception& error) {
     // What formats text throws where it cannot be written.

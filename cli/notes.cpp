@@ -11,9 +11,13 @@ namespace {
 constexpr std::uint64_t kMost = 3;  // of a kind that are told one by one
 
 // What the notes of a kind are about, for the summary.
-constexpr std::array<const char*, 7> kAbout{
-    "compensation without a radius",          "compensation with H", "G10 without R",           "G53 under G91",
-    "start-up moves shorter than the radius", "cutting without F",   "moves that run backwards"};
+constexpr std::array<const char*, 7> kAbout{"compensation without a radius",
+                                            "compensation with H",
+                                            "G10 without R",
+                                            "G53 under G91",
+                                            "start-up moves shorter than the radius",
+                                            "cutting without F",
+                                            "moves that run against their programmed direction"};
 
 double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
@@ -83,11 +87,11 @@ void Notes::read(const spec::Block& block) {
     add(kNoRadius, block.line, fmt::format("G{} without a D other than 0: the radius is 0", side));
   const bool origin = l != nullptr && l->value.decimals == 0 && (l->value.digits == 2 || l->value.digits == 20);
   if (data && !origin && r == nullptr) add(kG10, block.line, "G10 without R");
-  if (machine && incremental_) add(kMachine, block.line, "G53 under G91 is ignored, and its axis words with it");
+  if (machine && incremental_) add(kMachine, block.line, "G53 under G91 is ignored, together with its axis words");
   if (!data && axis && cutting_ && !feed_given_) {
     const auto at_start = setup_.parameter(1411);
     if (at_start && !at_start->is_zero())
-      add(kFeed, block.line, fmt::format("no F yet: the feed is {} of parameter 1411", spec::to_string(*at_start)));
+      add(kFeed, block.line, fmt::format("no F yet: the feed is {}, from parameter 1411", spec::to_string(*at_start)));
     feed_given_ = true;
   }
 }
@@ -101,12 +105,13 @@ void Notes::moved(std::uint64_t line, spec::Cause cause, spec::MoveType type, co
   const double radius = distance(programmed, point);
   constexpr double kNothing = 0.001;  // of the setup's units: less is not worth a word
   if (cause == spec::Cause::start_up && way > kNothing && way < radius - kNothing)
-    add(kShort, line, fmt::format("a start-up move of {:.6g}, shorter than the radius {:.6g}", way, radius));
+    add(kShort, line, fmt::format("the start-up move of {:.6g} is shorter than the radius {:.6g}", way, radius));
   if (cause != spec::Cause::programmed || way < kNothing || distance(from, tool) < kNothing) return;
   double along = 0;
   for (std::size_t i = 0; i < 3; ++i) along += (programmed.at(i) - from.at(i)) * (point.at(i) - tool.at(i));
   if (along < -kNothing * way)
-    add(kBackwards, line, fmt::format("the tool runs backwards by {:.6g} in this block", -along / way));
+    add(kBackwards, line,
+        fmt::format("the tool runs {:.6g} against the programmed direction in this block", -along / way));
 }
 
 std::vector<Note> Notes::take() { return std::exchange(waiting_, {}); }

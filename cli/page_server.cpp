@@ -144,7 +144,7 @@ class Client : public std::enable_shared_from_this<Client> {
     go_on_ = request.keep_alive();
     if (path == "/") return send(http::status::ok, "text/html", state_.content);
     if (path == "/favicon.ico") return send(http::status::no_content, "text/plain", text({}));
-    send(http::status::not_found, "text/plain", text("There is one page here: /\n"));
+    send(http::status::not_found, "text/plain", text("The only page here is /\n"));
   }
 
   void refuse(http::status status) {
@@ -271,7 +271,7 @@ PageServer::PageServer(std::optional<std::uint16_t> port) : state_(std::make_uni
   if (error)
     throw spec::InputError("--port", 0, 0,
                            "127.0.0.1:" + std::to_string(port.value_or(kUsualPort)) +
-                               " cannot be listened on: " + error.message() + "; 0 takes any free port");
+                               ": cannot listen on this port: " + error.message() + "; use 0 for any free port");
 }
 
 PageServer::~PageServer() = default;

@@ -23,7 +23,7 @@ void expect_folder(const std::string& path, const std::string& option) {
   std::error_code error;
   while (!place.empty() && !fs::exists(place, error)) place = place.parent_path();
   if (!place.empty() && !fs::is_directory(place, error))
-    throw spec::InputError(option, 0, 0, place.string() + " is no folder");
+    throw spec::InputError(option, 0, 0, place.string() + " is not a folder");
 }
 
 void report_alarm(const std::string& file, std::uint64_t line, std::uint64_t column, std::string_view number,

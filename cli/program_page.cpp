@@ -65,7 +65,7 @@ ProgramPage program_page(const ViewOptions& options, const std::string& live, bo
   std::size_t blocks = 0;
   const auto too_long = [&options](const char* what) {
     throw spec::InputError(spec::display_name(options.program), 0, 0,
-                           fmt::format("{} more than {} {}: no page is made of so long a program",
+                           fmt::format("{} more than {} {}; toolcomp makes no page of a longer program",
                                        *what == 'l' ? "has" : "runs", kMostOfAPage, what));
   };
   if (static_cast<std::size_t>(std::ranges::count(c.program, '\n')) > kMostOfAPage) too_long("lines");

@@ -26,8 +26,8 @@ void RadiiNote::see(std::uint64_t line, double difference) {
 
 std::string RadiiNote::text() const {
   return fmt::format(
-      "the radii of this arc{} differ by up to {:.6g}; the setup has no parameter 3410, with which a control "
-      "raises PS0020",
+      "the start radius and the end radius of this arc{} differ by up to {:.6g}; the setup has no parameter 3410, the "
+      "limit above which a control raises PS0020",
       others_ == 0 ? "" : fmt::format(" and of {} more", others_), largest_);
 }
 

@@ -36,8 +36,9 @@ void ask_whether_to_run(const ReplayOptions& options, const std::string& command
   std::cerr << "the finding names a command: " << spec::printable(command, kMostShown) << '\n';
   if (options.yes) return;
   if (::isatty(STDIN_FILENO) == 0 || ::isatty(STDERR_FILENO) == 0)
-    throw spec::InputError(options.finding, 0, 0,
-                           "its command is not run unasked: --yes runs it, --controller names another");
+    throw spec::InputError(
+        options.finding, 0, 0,
+        "toolcomp runs its command only if you agree: --yes runs it, --controller names another one");
   std::cerr << "run it? [y/N] " << std::flush;
   std::string answer;
   std::getline(std::cin, answer);
@@ -62,16 +63,16 @@ int replay(const ReplayOptions& options) {
     std::cerr << "standard error of the controller: " << spec::printable(replay.judgement.errors, kMostShown) << '\n';
   std::string asked = "asked: " + (replay.asked.empty() ? "the built-in fast engine" : replay.asked);
   if (const std::size_t before = replay.finding.before.size(); before > 0)
-    asked += fmt::format(", after {} requests before it", before);
+    asked += fmt::format(", after {} earlier requests", before);
   if (const spec::KnownSet& known = replay.finding.subject.known; !known.is_all())
-    asked += fmt::format("; judged is what rests on clauses known as {}", fmt::join(known.names(), ", "));
-  if (!replay.other_subject.empty()) asked += "; it is another now: " + replay.other_subject;
+    asked += fmt::format("; judged only by clauses known as {}", fmt::join(known.names(), ", "));
+  if (!replay.other_subject.empty()) asked += "; the controller is now a different one: " + replay.other_subject;
   note(spec::printable(asked, kMostShown));
   std::string result(certify::name(replay.judgement.result));
   if (replay.reproduced()) result += ", as in the finding";
   if (replay.finding.seen < replay.finding.tried)
-    result += fmt::format(", at try {}; it came in {} of {} runs when it was found", replay.tried, replay.finding.seen,
-                          replay.finding.tried);
+    result += fmt::format(", at attempt {}; it was reproduced in {} of {} runs when it was found", replay.tried,
+                          replay.finding.seen, replay.finding.tried);
   note(spec::printable(result));
   return certify::exit_status(replay.judgement.result);
 }

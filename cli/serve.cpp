@@ -15,9 +15,10 @@ namespace toolcomp::cli {
 int serve(EngineName engine) {
   if (::isatty(STDIN_FILENO) == 1)
     note(
-        "This speaks the controller protocol (docs/protocol.md): a JSON object a line, an answer a line.\n"
+        "This command speaks the controller protocol (docs/protocol.md): each input line is a JSON object, each output "
+        "line an answer.\n"
         "Try {\"hello\":1}, then {\"case\":1,\"id\":\"a\",\"setup\":{\"control\":\"fanuc\"},\"program\":\"G01 "
-        "X1 F1\"}; Ctrl-D ends it.");
+        "X1 F1\"}. Ctrl-D ends it.");
   if (engine == EngineName::specification && !formal::available()) {
     std::cerr << "this toolcomp was built without the formal specification: install coq, ocaml and ocaml-findlib, and "
                  "build it again\n";

@@ -58,8 +58,8 @@ void Unjudged::open(std::uint64_t line, std::uint64_t column, bool out_of_scope,
   if (count == 0) return;
   if (open_ == 0)
     say(line, column, out_of_scope ? spec::kOutOfScope : "undecided",
-        out_of_scope ? "radius compensation in the plane, RL or RR without TCPM, is not modelled"
-                     : "the specification leaves open what happens here");
+        out_of_scope ? "radius compensation in the plane (RL or RR without TCPM) is not modelled"
+                     : "the specification leaves open what this block does");
   open_ += count;
 }
 
@@ -69,10 +69,10 @@ void Unjudged::ends(std::uint64_t line, std::uint64_t column, std::string_view t
 }
 
 void Unjudged::end() {
-  if (open_ > 1) std::cerr << fmt::format("not judged: {} such moves\n", open_);
+  if (open_ > 1) std::cerr << fmt::format("not judged: {} moves of this kind\n", open_);
   if (!ended_) return;
   const std::optional<std::uint64_t> left = blocks_left(program_);
-  if (left) std::cerr << fmt::format("not looked at: {} block{} after it\n", *left, *left == 1 ? "" : "s");
+  if (left) std::cerr << fmt::format("not run: {} block{} after it\n", *left, *left == 1 ? "" : "s");
 }
 
 }  // namespace toolcomp::cli

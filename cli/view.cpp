@@ -38,7 +38,7 @@ std::string usual_file(const ViewOptions& options) {
   std::string head(kHead, '\0');
   head.resize(spec::file_source(file)->read(head.data(), head.size()));
   if (head.find(R"(name="generator" content="toolcomp")") == std::string::npos)
-    throw spec::InputError(file, 0, 0, "is there and no page of toolcomp; name another one with --out");
+    throw spec::InputError(file, 0, 0, "exists and is not a page of toolcomp; name another file with --out");
   return file;
 }
 
@@ -79,7 +79,7 @@ class Serving {
     server_.show(certify::waiting_page(names(begun_)), begun_);
     build();
     std::cout << server_.address() << std::endl;  // NOLINT(performance-avoid-endl): it waits from here on
-    note("serves " + options_.program + " and watches it and its setup; Ctrl-C ends");
+    note("serves " + options_.program + ", and watches this file and its setup; Ctrl-C ends it");
     server_.run(std::chrono::milliseconds(200), [&] {
       if (!stop.why().empty()) return server_.stop();
       look();
@@ -158,8 +158,8 @@ class Serving {
 int view(const ViewOptions& options) {
   say_what_is_read(options.program, options.setup);
   if (!options.serve) return write(options);
-  if (!options.out.empty()) throw spec::InputError("--out", 0, 0, "and --serve exclude each other");
-  if (options.program == "-") throw spec::InputError("--serve", 0, 0, "needs the program as a file");
+  if (!options.out.empty()) throw spec::InputError("--out", 0, 0, "cannot be given together with --serve");
+  if (options.program == "-") throw spec::InputError("--serve", 0, 0, "needs a program file, not standard input");
   // A program that is not there is a slip of the command line; one that cannot be read may be mended.
   static_cast<void>(spec::file_source(options.program));
   Serving(options).run();

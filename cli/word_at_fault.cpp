@@ -66,10 +66,10 @@ bool after_nested_comment(std::string_view before) {
 
 // `at`: the character of the word that cannot be read; `before`: what stands before the word.
 std::string_view meant_in_fanuc(std::string_view word, char at, std::string_view before) {
-  if (after_nested_comment(before)) return "the comment ends at its first ); there are no comments in comments";
-  if (after_semicolon(before)) return "; ends a block; a comment stands in ( )";
+  if (after_nested_comment(before)) return "the comment ends at its first ); comments cannot be nested";
+  if (after_semicolon(before)) return "; ends a block; a comment is written in ( )";
   if (has_letter_o(word)) return "the letter O; the digit 0 may be meant";
-  if (has_decimal_comma(word) || at == ',') return "a comma; numbers have a point";
+  if (has_decimal_comma(word) || at == ',') return "a comma; a number has a decimal point";
   if (at == ')') return "a ) without a (";
   if (at == ']' || at == '}' || at == '{') return "a stray bracket";
   if (at == '=') return "a = without a macro variable before it";
@@ -78,10 +78,10 @@ std::string_view meant_in_fanuc(std::string_view word, char at, std::string_view
 }
 
 std::string_view meant_in_klartext(std::string_view word) {
-  if (word.size() > 1 && upper(word[0]) == 'G' && is_digit(word[1])) return "a G code, in a Klartext program";
+  if (word.size() > 1 && upper(word[0]) == 'G' && is_digit(word[1])) return "a G code in a Klartext program";
   if (has_letter_o(word)) return "the letter O; the digit 0 may be meant";
   if (std::ranges::count_if(word, [](char c) { return c == '.' || c == ','; }) > 1) return "a second decimal point";
-  if (runs_on(word)) return "words stand between blanks";
+  if (runs_on(word)) return "words must be separated by blanks";
   if (word.starts_with('(')) return "a comment begins with ;";
   if (word.starts_with(')') || word.starts_with(']') || word.starts_with('[')) return "a stray bracket";
   if (!word.empty() && (is_digit(word[0]) || word[0] == '+' || word[0] == '-')) return "a number without its letter";

@@ -37,12 +37,12 @@ endforeach()
 # What the command reads (spec/language/data_folder.h): controllers by name (docs/adapters.md), the golden corpus, hard
 # cases, and first inputs of a search. Schemas are installed with the files for editors (cli/manual.cmake).
 set(data ${CMAKE_INSTALL_DATADIR}/toolcomp)
-install(DIRECTORY adapters DESTINATION ${data} USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY adapters DESTINATION ${data} COMPONENT data USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE)
 foreach(folder golden hard regression seeds)
-  install(DIRECTORY corpus/${folder} DESTINATION ${data}/corpus)
+  install(DIRECTORY corpus/${folder} DESTINATION ${data}/corpus COMPONENT data)
 endforeach()
-install(FILES corpus/proofs/unproven.json DESTINATION ${data}/corpus/proofs)
-install(DIRECTORY examples DESTINATION ${data} PATTERN __pycache__ EXCLUDE)
+install(FILES corpus/proofs/unproven.json DESTINATION ${data}/corpus/proofs COMPONENT data)
+install(DIRECTORY examples DESTINATION ${data} COMPONENT data PATTERN __pycache__ EXCLUDE)
 # Test vectors that need nothing of ours (docs/starter.md).
 install(DIRECTORY corpus/starter/ DESTINATION ${CMAKE_INSTALL_DATADIR}/toolcomp-starter USE_SOURCE_PERMISSIONS
   PATTERN sources EXCLUDE PATTERN generate.py EXCLUDE PATTERN LICENSE EXCLUDE PATTERN __pycache__ EXCLUDE)

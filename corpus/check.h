@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs golden vectors: through both engines, or through a controller.
+// Runs golden vectors through both engines, or through a controller.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace toolcomp::corpus {
 
-// A vector that did not hold.
+// A vector that failed.
 struct Failure {
   std::string file;
   std::size_t line = 0;
@@ -25,7 +25,7 @@ struct Failure {
 struct CheckResult {
   std::uint64_t vectors = 0;
   std::uint64_t values = 0;     // numbers and alarms judged
-  std::uint64_t ties = 0;       // the other, permitted, side of a near tie was taken
+  std::uint64_t ties = 0;       // near ties at which the other, permitted outcome was taken
   std::uint64_t undecided = 0;  // neither agreed nor failed
   std::vector<Failure> failures;
 };
@@ -33,8 +33,8 @@ struct CheckResult {
 struct CheckOptions {
   std::filesystem::path folder = default_folder();
   Selection selection;
-  // Judged instead of both engines; empty: the model must give every vector again to the letter, and the fast engine
-  // must agree with it.
+  // The subject that is judged instead of both engines. If it is empty, the model must give every vector again
+  // character by character, and the fast engine must agree with it.
   fuzz::Subject subject;
   std::function<void(std::uint64_t done, std::uint64_t all)> progress;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole-number arithmetic of the makers of long programs: the same bytes on every compiler.
+// Whole-number arithmetic for the makers of long programs. It gives the same bytes on every compiler.
 #pragma once
 
 #include <cstdint>

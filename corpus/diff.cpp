@@ -122,7 +122,7 @@ std::string to_string(const Change& change) {
     case ChangeKind::added:
       return "added " + change.id;
     case ChangeKind::described:
-      return "described otherwise " + change.id;
+      return "described differently " + change.id;
     case ChangeKind::changed:
       text = "changed " + change.id;
       break;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What has changed between two corpora, vector by vector.
+// The changes between two corpora, vector by vector.
 #pragma once
 
 #include <cstddef>
@@ -16,28 +16,28 @@ namespace toolcomp::corpus {
 
 enum class ChangeKind : std::uint8_t { removed, changed, added, described };
 
-// One vector. `changed`: its expected events are others; `described`: only comment, clauses, flags or source are. The
-// cause of an alarm counts where both name one.
+// One vector. `changed`: its expected events differ. `described`: only comment, clauses, flags or source differ. Causes
+// of alarms are compared if both sides have one.
 struct Change {
   ChangeKind kind{};
   std::string id;
-  // Of the first event that differs: the clause that tells why, the last one that it rests on after and not before
-  // (where there is none, the last one that it rests on), and the event or "nothing". A removed vector has them once it
-  // was asked again and is answered otherwise.
+  // For the first event that differs: the clause that explains it, and the event before and after, or "nothing". The
+  // clause is the last one that the event rests on after the change and not before, or else the last one that it rests
+  // on. A removed vector has these values if it was asked again and the answer differs.
   std::string clause;
   std::string before;
   std::string after;
 };
 
-// Removed and changed vectors in the order of `before`, then added ones in that of `after`.
+// Removed and changed vectors in the order of `before`, then added vectors in the order of `after`.
 std::vector<Change> diff(std::span<const spec::Case> before, std::span<const spec::Case> after);
 
-// Puts the questions of the removed vectors, as they stood, to the model: those that it answers otherwise than `before`
-// expects say so. `progress` is called with the number of those asked.
+// Runs the removed vectors, as they were, through the model, and records the answers that differ from those that
+// `before` expects. `progress` is called with the number of vectors run.
 void ask_again(std::vector<Change>& changes, std::span<const spec::Case> before,
                const std::function<void(std::uint64_t)>& progress = {});
 
-// How many vectors are answered otherwise, by the clause that tells why.
+// The number of vectors with a different answer, by the clause that explains it.
 std::map<std::string, std::size_t> by_clause(std::span<const Change> changes);
 
 // The version that a corpus of version `before` has after these changes.

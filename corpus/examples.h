@@ -20,7 +20,7 @@ struct Example {
   // space_rows.h). If it is empty, a table in tests/golden has the rows.
   // NOLINTNEXTLINE(*-redundant-member-init): otherwise GCC warns if braces leave it out
   std::string_view figures = {};
-  std::uint32_t samples = 0;  // into how many parts samples divide a block; 0: no samples
+  std::uint32_t samples = 0;  // number of parts into which samples divide a block; 0: no samples
 };
 
 // A file of vectors made of examples.

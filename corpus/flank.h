@@ -8,7 +8,7 @@
 
 namespace toolcomp::corpus {
 
-// How the program says where the tool points.
+// How the program gives the tool direction.
 enum class FlankTool : std::uint8_t {
   rotary,  // B and C of a head, C carries B: G41.2, G42.2
   vector,  // I J K under G43.5: G41.6, G42.6
@@ -25,7 +25,7 @@ struct Flank {
   std::size_t passes = 0;
 };
 
-// Least and greatest number of blocks of the flank.
+// Smallest and largest number of blocks of the flank.
 inline constexpr std::size_t kLeastFlank = 60;
 inline constexpr std::size_t kMostFlank = 10'000'000;
 

@@ -88,7 +88,7 @@ class Writer {
     for (const spec::Case& c : read_again(refused, cases.size(), file)) {
       ++line;
       std::string wrong = verify(c, fuzz::try_case(c));
-      if (wrong.empty() && c.id != vector_id(c)) wrong = "the id is not that of the vector";
+      if (wrong.empty() && c.id != vector_id(c)) wrong = "the id does not belong to this vector";
       if (!wrong.empty()) result_.rejected.push_back({file, line, wrong});
     }
     if (result_.rejected.size() != before) return;
@@ -101,7 +101,7 @@ class Writer {
   std::vector<spec::Case> read_again(const fs::path& path, std::size_t count, const std::string& file) {
     try {
       std::vector<spec::Case> cases = read_cases(path);
-      if (cases.size() != count) result_.rejected.push_back({file, 0, "vectors were lost in writing"});
+      if (cases.size() != count) result_.rejected.push_back({file, 0, "vectors were lost while writing"});
       return cases;
     } catch (const spec::InputError& error) {
       result_.rejected.push_back({file, error.line(), error.message()});

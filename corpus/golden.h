@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The golden corpus: vectors in files of one case a line, in a folder a section, pinned by a manifest.
+// The golden corpus: vectors in files with one case in each line, in one folder for each section, pinned by a manifest.
 #pragma once
 
 #include <cstddef>
@@ -13,18 +13,19 @@
 
 namespace toolcomp::corpus {
 
-// corpus/golden of the source tree the tool was built from.
+// corpus/golden of the source tree from which toolcomp was built.
 std::filesystem::path default_folder();
 
-// A vector and where it stands.
+// A vector and its place.
 struct Vector {
   std::string file;      // relative to the corpus, with '/'
   std::size_t line = 0;  // from 1
-  std::string text;      // as it stands
+  std::string text;      // as it is in the file
   spec::Case c;
 };
 
-// Which vectors: of these sections (all if empty), and of those every N-th, from the I-th, as a share I of N.
+// A selection of vectors: those of these sections (of all, if empty), and of them every N-th from the I-th on, as a
+// share I of N.
 struct Selection {
   std::vector<std::string> sections;
   Share share;
@@ -32,13 +33,13 @@ struct Selection {
   [[nodiscard]] bool wants(const std::string& section) const;
 };
 
-// The selected vectors, by file and line. Throws spec::InputError (naming file and line) for what is no case, for a
-// folder without manifest, and for a section that the corpus does not have.
+// The selected vectors, by file and line. Throws spec::InputError (with file and line) for a line that is not a case,
+// for a folder without manifest, and for a section that the corpus does not have.
 std::vector<Vector> read_vectors(const std::filesystem::path& folder, const Selection& selection = {});
 
-// The cases of one file (one JSON object a line; empty lines are skipped).
+// The cases of one file (one JSON object in each line; empty lines are skipped).
 std::vector<spec::Case> read_cases(const std::filesystem::path& file);
-// The cases of the whole corpus, or of the sections named; one that the corpus does not have gives none.
+// The cases of the whole corpus, or of the named sections. A section that the corpus does not have gives no cases.
 std::vector<spec::Case> read_golden(const std::filesystem::path& folder, const std::vector<std::string>& sections = {});
 
 }  // namespace toolcomp::corpus

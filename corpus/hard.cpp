@@ -131,11 +131,11 @@ class Checker {
     if (!least)
       fail(n.c, what + " is not reached");
     else if (least->margin != n.margin)
-      fail(n.c, fmt::format("{}: the margin is {}, {} is stated", what, least->margin, n.margin));
+      fail(n.c, fmt::format("{}: the margin is {}, the manifest states {}", what, least->margin, n.margin));
     else if (least->line != n.line)
-      fail(n.c, fmt::format("{}: decided in line {}, {} is stated", what, least->line, n.line));
+      fail(n.c, fmt::format("{}: decided in line {}, the manifest states {}", what, least->line, n.line));
     if (const int finest_there = fuzz::finest(fuzz::Numbers(n.c).values()); finest_there != n.decimals)
-      fail(n.c, fmt::format("{} decimals, {} are stated", finest_there, n.decimals));
+      fail(n.c, fmt::format("{} decimals, the manifest states {}", finest_there, n.decimals));
   }
 
   void check(const Worst& w, const fuzz::Trial& trial) {
@@ -144,7 +144,7 @@ class Checker {
     if (text == w.value) return;
     const double stated = std::stod(w.value);
     if (now > stated)
-      fail(w.c, fmt::format("{} {} off, {} is stated", text, name_in(kDeviations, w.of), w.value));
+      fail(w.c, fmt::format("{} {} off, the manifest states {}", text, name_in(kDeviations, w.of), w.value));
     else
       ++result_.lower;
   }
@@ -190,14 +190,14 @@ HardCases read_hard(const fs::path& folder) {
   HardCases hard;
   try {
     const Json json = Json::parse(spec::read_file(file));
-    if (json.at("hard") != 1) throw spec::InputError(file.string(), 0, 0, "hard: 1 is the format that is known");
+    if (json.at("hard") != 1) throw spec::InputError(file.string(), 0, 0, "hard: expected format 1");
     std::map<std::string, spec::Case> cases;
     for (const Json& entry : json.at("sections")) {
       const auto section = entry.at("section").get<std::string>();
       hard.sections.insert(section);
       for (spec::Case& c : read_cases(folder / (section + ".jsonl"))) {
         if (vector_id(c) != c.id)
-          throw spec::InputError(section + ".jsonl", 0, 0, c.id + ": of what it holds the id is " + vector_id(c));
+          throw spec::InputError(section + ".jsonl", 0, 0, c.id + ": the id of its content is " + vector_id(c));
         cases[c.id] = std::move(c);
       }
     }

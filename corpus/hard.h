@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hard cases: for every decision by sign the programs nearest to its boundary, for every section the largest deviations
-// of the fast engine. A search found them (corpus/hard/README.md); they are kept in corpus/hard, and run again.
+// Hard cases: for every decision by sign, the programs nearest to its boundary; for every section, the programs with
+// the largest deviations of the fast engine. A search found them (corpus/hard/README.md); they are kept in corpus/hard,
+// and run again.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +21,7 @@ namespace toolcomp::corpus {
 // corpus/hard of the source tree.
 std::filesystem::path hard_folder();
 
-// A program in which a decision comes that near to its boundary.
+// A program in which a decision is very near to its boundary.
 struct Nearest {
   spec::Clause clause{};
   exact::Sign outcome{};   // zero: a tie
@@ -32,8 +33,8 @@ struct Nearest {
 
 enum class Deviation : std::uint8_t { ulp, um };
 
-// A program on which the fast engine lies farthest off the exact values, in the units that the policy multiplies by k,
-// or in micrometres; within the policy.
+// A program on which the fast engine is farthest from the exact values, in the units that the policy multiplies by k,
+// or in micrometres. It is still within the policy.
 struct Worst {
   std::string section;
   Deviation of{};
@@ -47,22 +48,23 @@ struct HardCases {
   std::vector<Worst> worst;      // by section
 };
 
-// A value, not negative, rounded up to so many digits: "1.24e-13", "0".
+// A value that is not negative, rounded up to this number of digits: "1.24e-13", "0".
 std::string rounded_up(const exact::Rational& value, int digits);
 
-// Reads FOLDER/manifest.json and the cases it names. Throws spec::InputError, also for a case that is not what its id
-// is made of.
+// Reads FOLDER/manifest.json and the cases it names. Throws spec::InputError, also for a case whose id does not belong
+// to its content.
 HardCases read_hard(const std::filesystem::path& folder);
 
 struct HardCheck {
   std::uint64_t cases = 0;
-  std::uint64_t statements = 0;       // about margins and deviations
-  std::uint64_t lower = 0;            // deviations smaller than stated: another compiler, another library
+  std::uint64_t statements = 0;       // number of statements about margins and deviations
+  std::uint64_t lower = 0;            // deviations smaller than stated, as with another compiler or library
   std::vector<std::string> failures;  // "FILE: what is wrong"
 };
 
-// Runs all of them, or those of some sections: both engines agree within the policy, the clause has that outcome with
-// exactly that margin, no deviation is larger than stated. Throws spec::InputError for a section that has none.
+// Runs all hard cases, or those of some sections, and checks that both engines agree within the policy, that the clause
+// has this outcome with exactly this margin, and that no deviation is larger than stated. Throws spec::InputError for a
+// section without hard cases.
 HardCheck check_hard(const HardCases& hard, const std::vector<std::string>& sections = {},
                      const std::function<void(std::uint64_t done)>& progress = {});
 

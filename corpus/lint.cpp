@@ -37,12 +37,12 @@ class Linter {
 
   void check_manifest() {
     if (!std::ranges::is_sorted(manifest_.files, std::ranges::less_equal(), &ManifestFile::file))
-      breach("manifest.json", "files are listed by name, each once");
+      breach("manifest.json", "files must be listed by name, each once");
     std::set<std::string> listed{"manifest.json"};
     for (const ManifestFile& file : manifest_.files) {
       listed.insert(file.file);
       if (sha256_file((folder_ / file.file).string()) != file.sha256)
-        breach(file.file, "the SHA-256 is not that of the manifest");
+        breach(file.file, "the SHA-256 is not the one in the manifest");
     }
     std::vector<std::string> found;
     for (const auto& entry : fs::recursive_directory_iterator(folder_))
@@ -58,17 +58,17 @@ class Linter {
     const auto require = [&](bool holds, std::string_view what) {
       if (!holds) breach(fmt::format("{}:{}", vector.file, vector.line), what);
     };
-    require(spec::write_case_line(c) == vector.text, "not as the writer writes it");
-    require(c.id == vector_id(c), "the id is not that of the vector");
-    require(ids_.insert(c.id).second, "the same vector stands twice");
-    require(vector.file.starts_with(c.section + '/'), "not in the folder of its section");
-    require(c.has_expect && !c.expect.empty(), "nothing is expected");
+    require(spec::write_case_line(c) == vector.text, "the line is not in the form that toolcomp writes");
+    require(c.id == vector_id(c), "the id does not belong to this vector");
+    require(ids_.insert(c.id).second, "the same vector occurs twice");
+    require(vector.file.starts_with(c.section + '/'), "the vector is not in the folder of its section");
+    require(c.has_expect && !c.expect.empty(), "the expected events are missing");
     require(!c.source.generator.empty(), "the source is missing");
-    require(!c.comment.empty() || !c.source.seed.empty(), "written by hand, without a comment");
+    require(!c.comment.empty() || !c.source.seed.empty(), "a vector written by hand needs a comment");
     for (const std::string& flag : c.flags)
       require(std::ranges::any_of(kFlags, [&](const Flag& known) { return known.name == flag; }),
               "unknown flag " + flag);
-    require(std::ranges::is_sorted(c.flags, std::ranges::less_equal()), "flags are sorted, each once");
+    require(std::ranges::is_sorted(c.flags, std::ranges::less_equal()), "flags must be sorted, each once");
   }
 
   fs::path folder_;

@@ -25,11 +25,11 @@ Version parse_version(std::string_view text) {
   const auto number = [&](unsigned& value) {
     const auto [next, error] = std::from_chars(at, end, value);
     const bool padded = next - at > 1 && *at == '0';
-    if (error != std::errc() || padded) throw std::invalid_argument("a version is MAJOR.MINOR.PATCH");
+    if (error != std::errc() || padded) throw std::invalid_argument("expected a version MAJOR.MINOR.PATCH");
     at = next;
   };
   const auto point = [&] {
-    if (at == end || *at != '.') throw std::invalid_argument("a version is MAJOR.MINOR.PATCH");
+    if (at == end || *at != '.') throw std::invalid_argument("expected a version MAJOR.MINOR.PATCH");
     ++at;
   };
   number(version.major);
@@ -37,7 +37,7 @@ Version parse_version(std::string_view text) {
   number(version.minor);
   point();
   number(version.patch);
-  if (at != end) throw std::invalid_argument("a version is MAJOR.MINOR.PATCH");
+  if (at != end) throw std::invalid_argument("expected a version MAJOR.MINOR.PATCH");
   return version;
 }
 
@@ -47,7 +47,7 @@ Manifest read_manifest(const std::filesystem::path& folder) {
   Manifest manifest;
   try {
     const auto json = spec::read_outside_json(text, file.string());
-    if (json.at("corpus") != 1) throw spec::InputError(file.string(), 0, 0, "corpus: 1 is the format that is known");
+    if (json.at("corpus") != 1) throw spec::InputError(file.string(), 0, 0, "corpus: expected format 1");
     manifest.version = json.at("version").get<std::string>();
     parse_version(manifest.version);
     manifest.generator = json.at("generator").get<std::string>();

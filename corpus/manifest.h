@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The manifest of a golden corpus: what belongs to it, and the digests that pin it.
+// The manifest of a golden corpus: the files that belong to it, and the digests that pin them.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace toolcomp::corpus {
 
-// A semantic version: major where an expected result changed or a vector went, minor where vectors came, patch where
-// only what describes them changed.
+// A semantic version. The major number is raised if an expected result changed or a vector was removed, the minor
+// number if vectors were added, the patch number if only descriptions changed.
 struct Version {
   unsigned major = 1;
   unsigned minor = 0;
@@ -22,7 +22,7 @@ std::string to_string(const Version& version);
 // Throws std::invalid_argument for text that is not MAJOR.MINOR.PATCH.
 Version parse_version(std::string_view text);
 
-// One file of vectors, a case a line.
+// One file of vectors, with one case in each line.
 struct ManifestFile {
   std::string file;     // relative to the corpus, with '/'
   std::string section;  // "fanuc/leading-edge-offset"
@@ -33,18 +33,18 @@ struct ManifestFile {
 
 struct Manifest {
   std::string version = "1.0.0";
-  std::string generator;            // name and version of what wrote the corpus
+  std::string generator;            // name and version of the generator
   std::string seed;                 // of the generated files
   std::vector<ManifestFile> files;  // by name
   std::string hash;                 // SHA-256 of the manifest's text itself; not part of it
 };
 
-// Reads FOLDER/manifest.json; throws spec::InputError, with the position of the fault, if it is none.
+// Reads FOLDER/manifest.json; throws spec::InputError, with the position of the fault, if it is not a manifest.
 Manifest read_manifest(const std::filesystem::path& folder);
-// The text of the manifest, which also says what the flags of the vectors mean. Stable.
+// The text of the manifest, with the meaning of the flags of the vectors. Equal manifests give equal text.
 std::string write_manifest(const Manifest& manifest);
 
-// What a vector's flag means, and what it means for whoever compares.
+// A flag of vectors: its meaning, and its consequence for a comparison.
 struct Flag {
   std::string_view name, description, effect;
 };

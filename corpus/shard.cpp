@@ -71,13 +71,14 @@ class Reader {
 
  private:
   [[noreturn]] void refuse(const std::string& why) const {
-    throw spec::InputError(file_.string(), number_, 0, "no whole shard: " + why);
+    throw spec::InputError(file_.string(), number_, 0, "is not a complete shard: " + why);
   }
 
   void expect_whole() {
     const std::size_t last = text_.size() < 2 ? 0 : text_.rfind('\n', text_.size() - 2) + 1;
     const std::string digest = text_.substr(last);
-    if (digest != sha256(std::string_view(text_).substr(0, last)) + '\n') refuse("its digest is not that of its text");
+    if (digest != sha256(std::string_view(text_).substr(0, last)) + '\n')
+      refuse("its digest does not belong to its text");
     end_ = last;
     run_ = next_json();
   }
@@ -118,21 +119,21 @@ std::optional<std::size_t> count_in(const std::string& name) {
 
 std::size_t expect_all(const fs::path& folder) {
   std::optional<std::size_t> count;
-  if (!fs::is_directory(folder)) throw spec::InputError(folder.string(), 0, 0, "is no folder of shards");
+  if (!fs::is_directory(folder)) throw spec::InputError(folder.string(), 0, 0, "is not a folder");
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     const auto here = count_in(entry.path().filename().string());
     if (!here) continue;
     if (count && *count != *here)
-      throw spec::InputError(folder.string(), 0, 0, fmt::format("holds shards of {} and of {}", *count, *here));
+      throw spec::InputError(folder.string(), 0, 0, fmt::format("contains shards of {} and of {}", *count, *here));
     count = here;
   }
-  if (!count) throw spec::InputError(folder.string(), 0, 0, "holds no shard (shard-I-of-N.jsonl)");
+  if (!count) throw spec::InputError(folder.string(), 0, 0, "contains no shard (shard-I-of-N.jsonl)");
   std::vector<std::string> missing;
   for (std::size_t i = 1; i <= *count; ++i)
     if (!fs::exists(shard_file(folder, {i, *count}))) missing.push_back(fmt::format("{}/{}", i, *count));
   if (!missing.empty())
     throw spec::InputError(folder.string(), 0, 0,
-                           fmt::format("shards are missing, to be run again: {}", fmt::join(missing, " ")));
+                           fmt::format("shards are missing; run them again: {}", fmt::join(missing, " ")));
   return *count;
 }
 
@@ -182,7 +183,7 @@ GenerateResult merge_shards(const fs::path& shards, const GenerateOptions& optio
       }
       if (reader.run() != run)
         throw spec::InputError(file.string(), 1, 0,
-                               "is of another run than " + shard_file(shards, {1, count}).string());
+                               "is from another run than " + shard_file(shards, {1, count}).string());
       reader.add_to(contenders);
     } catch (const Json::exception& error) {
       throw spec::InputError(file.string(), 0, 0, error.what());

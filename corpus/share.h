@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One machine's share of work that is done in N of them.
+// One machine's share of work that is divided among N machines.
 #pragma once
 
 #include <cstddef>

@@ -33,7 +33,7 @@ bool is_undecided(const fuzz::Trial& trial) {
 // What keeps the engines from agreeing; empty if nothing does.
 std::string disagreement(const fuzz::Trial& trial) {
   if (trial.acceptance == fuzz::Acceptance::no_setup) return "no control could have this setup";
-  if (trial.acceptance == fuzz::Acceptance::no_text) return "the program is no text";
+  if (trial.acceptance == fuzz::Acceptance::no_text) return "the program cannot be read";
   if (is_undecided(trial)) return "a decision cannot be certified";
   if (trial.verdict.difference) return "fast engine: " + fuzz::explain(*trial.verdict.difference);
   if (trial.verdict.outcome != fuzz::Outcome::agrees) return "nothing could be judged";

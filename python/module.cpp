@@ -13,7 +13,7 @@
 // NOLINTNEXTLINE(*): the macro's
 PYBIND11_MODULE(_core, module) {
   using namespace toolcomp;  // NOLINT(google-build-using-namespace): what the macro opens is in none
-  module.doc() = "What toolcomp computes in C++. Use the package toolcomp.";
+  module.doc() = "The part of toolcomp that is written in C++. Use the package toolcomp.";
   module.attr("version") = TOOLCOMP_VERSION;
   module.attr("has_specification") = formal::available();
   module.def("sections", [] {

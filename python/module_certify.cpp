@@ -74,7 +74,8 @@ void name_controller(certify::CampaignOptions& campaign, const std::string& comm
     const auto adapter = certify::find_adapter(command, certify::adapter_folders({}));
     if (!adapter) return;
     if (adapter->kind == certify::AdapterKind::trace)
-      throw spec::InputError("controller", 0, 0, command + " is recorded: the command toolcomp certifies it");
+      throw spec::InputError("controller", 0, 0,
+                             command + " is a recorded controller; certify it with the command toolcomp");
     certify::expect_programs(*adapter);
     campaign.controller = adapter->shell_command();
   }

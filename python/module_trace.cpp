@@ -91,11 +91,11 @@ std::span<const double> judged(const std::string& name, const Array& array, std:
   if (array.ndim() != 1) throw std::invalid_argument(name + ": not one-dimensional");
   const std::span values(array.data(), static_cast<std::size_t>(array.size()));
   if (values.size() != size)
-    throw std::invalid_argument(name + ": " + std::to_string(values.size()) + " samples where others have " +
+    throw std::invalid_argument(name + ": " + std::to_string(values.size()) + " samples, and other arrays have " +
                                 std::to_string(size));
   for (std::size_t i = 0; i < size; ++i)
     if (!std::isfinite(values[i]))
-      throw std::invalid_argument(name + ": sample " + std::to_string(i) + " is no number");
+      throw std::invalid_argument(name + ": sample " + std::to_string(i) + " is not a number");
   return values;
 }
 
@@ -110,7 +110,7 @@ ArraySource source_of(const Columns& given, const std::optional<Array>& time, do
   for (const auto& [name, array] : given) {
     const std::size_t axis = name.size() == 1 ? axes.index(name.front()) : spec::Axes::kNone;
     if (axis == spec::Axes::kNone)
-      throw std::invalid_argument(name + ": no axis of the setup, which has " + axes.letters());
+      throw std::invalid_argument(name + ": not an axis of the setup, which has " + axes.letters());
     columns.push_back({axis, judged(name, array, size)});
   }
   std::optional<std::span<const double>> times;

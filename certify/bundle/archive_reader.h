@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Members of an archive that anybody may have made.
+// Reads the members of an archive from outside.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@ struct archive_entry;
 
 namespace toolcomp::certify::bundle {
 
-// Reads a tar archive compressed by zstd, in bounded memory; makes no file. Throws Refused for members that are no
-// plain files or have no plain names (plain_name.h), and for bytes that are no such archive.
+// Reads a tar archive compressed by zstd, in bounded memory, without making files. Throws Refused for members that are
+// not regular files or have no plain names (plain_name.h), and for bytes that are not such an archive.
 class ArchiveReader {
  public:
   explicit ArchiveReader(const std::filesystem::path& file);
@@ -27,9 +27,9 @@ class ArchiveReader {
     std::string name;
     std::uint64_t size = 0;  // bytes
   };
-  // Nothing at the end.
+  // std::nullopt at the end.
   std::optional<Member> next();
-  // All bytes of the member, piece by piece; as many as its size says.
+  // Gives all bytes of the member, piece by piece; exactly as many as its size says.
   void read(const std::function<void(std::string_view)>& take);
 
  private:

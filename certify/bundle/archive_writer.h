@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tar archive, compressed by zstd and sealed: the same members, the same bytes.
+// Writes a tar archive, compressed by zstd and sealed. The same members give the same bytes.
 #pragma once
 
 #include <cstdio>
@@ -15,8 +15,8 @@ struct archive;
 
 namespace toolcomp::certify::bundle {
 
-// Stands under another name until it is finished, and is gone if it never is. Members have no date and no owner.
-// Everything throws std::runtime_error that names the file where it cannot be written.
+// The file has another name until it is finished, and is removed if it is never finished. Members have no date and no
+// owner. All functions throw std::runtime_error with the name of the file if it cannot be written.
 class ArchiveWriter {
  public:
   explicit ArchiveWriter(std::filesystem::path file);

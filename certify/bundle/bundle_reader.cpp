@@ -61,17 +61,19 @@ void expect_sizes(const Manifest& manifest) {
   std::uint64_t memory = 0;
   std::set<std::string> names{std::string(kManifest)};
   for (const ManifestFile& file : manifest.files) {
-    if (!is_plain_name(file.file)) throw Refused("manifest.json: names a file as no bundle does");
+    if (!is_plain_name(file.file)) throw Refused("manifest.json: has a file name that is not allowed in a bundle");
     if (!names.insert(file.file).second) throw Refused("manifest.json: names " + file.file + " twice");
-    if (file.size > kMostInAll - all) throw Refused("manifest.json: names more than can be read");
+    if (file.size > kMostInAll - all)
+      throw Refused("manifest.json: the files are larger in total than toolcomp can read");
     all += file.size;
     const bool in_memory =
         file.file != kCases && file.file != kAnswers && file.file != kResults && !is_passed_over(file.file);
     if (in_memory) memory += file.size;
-    if (memory > kMostInMemory) throw Refused("manifest.json: names more than can be held in memory");
+    if (memory > kMostInMemory)
+      throw Refused("manifest.json: the files are larger in total than toolcomp can hold in memory");
   }
   for (const std::string_view needed : {kCases, kAnswers, kResults, kCertificate, kSbom})
-    if (!names.contains(std::string(needed))) throw Refused("manifest.json: names no " + std::string(needed));
+    if (!names.contains(std::string(needed))) throw Refused("manifest.json: does not name " + std::string(needed));
   for (const ManifestInput& input : manifest.inputs)
     if (!names.contains(input.file)) throw Refused("manifest.json: an input is not among its files: " + input.file);
 }
@@ -99,8 +101,8 @@ Bundle read_bundle(const fs::path& file) {
   if (fs::is_directory(file)) throw spec::InputError(file.string(), 0, 0, "is a folder");
   if (!is_sealed(file)) {
     if (begins_as_bundle(file))
-      throw Refused("the file has been changed or cut off: the digest at its end is not that of what stands before it");
-    throw spec::InputError(file.string(), 0, 0, "is no evidence bundle");
+      throw Refused("the file was changed or truncated: the digest at its end is not that of the bytes before it");
+    throw spec::InputError(file.string(), 0, 0, "is not an evidence bundle");
   }
   Bundle bundle(fs::temp_directory_path());
   ArchiveReader archive(file);
@@ -110,12 +112,12 @@ Bundle read_bundle(const fs::path& file) {
   while (const auto member = archive.next()) {
     const auto named = std::ranges::find(bundle.manifest.files, member->name, &ManifestFile::file);
     if (named == bundle.manifest.files.end()) throw Refused(member->name + ": is not in the manifest");
-    if (!seen.insert(member->name).second) throw Refused(member->name + ": is there twice");
+    if (!seen.insert(member->name).second) throw Refused(member->name + ": is in the bundle twice");
     if (member->size != named->size)
       throw Refused(member->name + ": has " + std::to_string(member->size) + " bytes and should have " +
                     std::to_string(named->size));
     if (digest_of(bundle, archive, *member) != named->sha256)
-      throw Refused(member->name + ": its SHA-256 is not that of the manifest");
+      throw Refused(member->name + ": its SHA-256 is not the one in the manifest");
   }
   for (const ManifestFile& named : bundle.manifest.files)
     if (!seen.contains(named.file)) throw Refused(named.file + ": is missing");

@@ -13,7 +13,7 @@
 
 namespace toolcomp::certify::bundle {
 
-// How the certificate was asked for.
+// The command that asked for the certificate.
 struct Request {
   std::vector<std::string> command;   // the words of the command line
   std::vector<std::string> sections;  // as CampaignOptions::sections
@@ -21,15 +21,15 @@ struct Request {
   std::filesystem::path corpus;       // folder of the golden corpus; empty: none
 };
 
-// Keeps what is asked and answered on disk while it comes, in files that go with the process. Nothing stands under the
-// bundle's name before it is whole. Everything throws std::runtime_error where it cannot be written.
+// Keeps requests and answers on disk as they come, in files that are removed with the process. No file has the bundle's
+// name before the bundle is complete. All functions throw std::runtime_error if something cannot be written.
 class BundleWriter {
  public:
   BundleWriter(std::filesystem::path file, Request request);
 
-  // A program, case or setup by its name on the command line; one of a name counts once.
+  // Adds a program, case or setup by its name on the command line. A name is added only once.
   void add_input(const std::string& given, std::string bytes);
-  // CampaignOptions::judged.
+  // To be called by CampaignOptions::judged.
   void add(const JudgedCase& judged);
   // `report`: the folder of the report; `findings`: its files of findings.
   void finish(const Certificate& certificate, const std::filesystem::path& report,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// manifest.json of a bundle: what is in it, and how the certificate was asked for.
+// manifest.json of a bundle: its files, and the command that asked for the certificate.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace toolcomp::certify::bundle {
 
-// Of the format; a reader takes its own alone.
+// The version of the format. A reader accepts only its own version.
 inline constexpr int kFormat = 1;
 
 // Names in a bundle.
@@ -28,7 +28,7 @@ struct ManifestFile {
   std::string sha256;
 };
 
-// A program, case or setup as it was given.
+// A program, case or setup that the user gave.
 struct ManifestInput {
   std::string given;  // its name on the command line
   std::string file;   // its name in the bundle
@@ -38,17 +38,17 @@ struct Manifest {
   std::string tool;                   // name and version
   std::string made;                   // UTC
   std::vector<std::string> command;   // the words of the command line
-  std::string directory;              // where it was given
+  std::string directory;              // folder in which the command was run
   std::vector<std::string> sections;  // asked for; empty: all
   std::string adapter;                // its name; empty: the controller is a command
-  std::string interrupted;            // why not all was run; empty: all was
+  std::string interrupted;            // why not everything was run; otherwise empty
   std::uint64_t cases = 0;            // lines of cases.jsonl
   std::vector<ManifestInput> inputs;
-  std::vector<ManifestFile> files;  // all but the manifest itself, by name
+  std::vector<ManifestFile> files;  // all except the manifest itself, by name
 };
 
 std::string write_manifest(const Manifest& manifest);
-// Throws spec::InputError for text that is no manifest of this format (`toolcomp config schema manifest`).
+// Throws spec::InputError for text that is not a manifest of this format (`toolcomp config schema manifest`).
 Manifest read_manifest(std::string_view text);
 
 }  // namespace toolcomp::certify::bundle

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of files in bundles and kits, which stay inside.
+// Names of files in bundles and kits. They cannot lead outside.
 #pragma once
 
 #include <string_view>

@@ -33,7 +33,8 @@ void PlannedCases::plan_golden(const Plan& plan) {
   for (const corpus::ManifestFile& file : corpus::read_manifest(plan.corpus).files) {
     if (!plan.sections.empty() && !among(plan.sections, file.section)) continue;
     if (corpus::sha256_file((plan.corpus / file.file).string()) != file.sha256)
-      throw spec::InputError((plan.corpus / file.file).string(), 0, 0, "is not the file of the corpus's manifest");
+      throw spec::InputError((plan.corpus / file.file).string(), 0, 0,
+                             "is not the file that the manifest of the corpus names");
     if (!among(selection.sections, file.section)) selection.sections.push_back(file.section);
   }
   if (selection.sections.empty()) return;
@@ -64,12 +65,13 @@ void PlannedCases::take(const spec::Case& c, Origin origin, const std::string& r
   const auto found = planned.find(c.id);
   if (found == planned.end()) {
     if (origin == Origin::generated && of_adapter_) return;
-    throw Refused(fmt::format("{}: is no {} case of this certificate", c.id, name(origin)));
+    throw Refused(fmt::format("{}: is not a {} case of this certificate", c.id, name(origin)));
   }
-  if (found->second.times == 0) throw Refused(c.id + ": is there twice");
+  if (found->second.times == 0) throw Refused(c.id + ": occurs twice");
   if (!found->second.digest.empty() && found->second.digest != corpus::sha256(request))
-    throw Refused(fmt::format("{}: is not the {}", c.id,
-                              origin == Origin::golden ? "vector of the corpus" : "case that the seed makes"));
+    throw Refused(
+        fmt::format("{}: is not the {}", c.id,
+                    origin == Origin::golden ? "golden vector of the corpus" : "case that the seed generates"));
   --found->second.times;
 }
 

@@ -101,7 +101,8 @@ Record read_record(std::uint64_t number, std::string_view line) {
   CaseResult& r = record.result;
   try {
     const auto json = spec::read_outside_json(line, place);
-    if (json.at("case") != number) throw spec::InputError(place, 0, 0, "is not that of case " + std::to_string(number));
+    if (json.at("case") != number)
+      throw spec::InputError(place, 0, 0, "is not the result of case " + std::to_string(number));
     const auto text = [&json](const char* key) { return json.contains(key) ? json.at(key).get<std::string>() : ""; };
     r.id = json.at("id").get<std::string>();
     r.section = json.at("section").get<std::string>();
@@ -125,7 +126,7 @@ Record read_record(std::uint64_t number, std::string_view line) {
       v.left_out = json.at("left_out").get<std::uint64_t>();
       for (const auto& [id, events] : json.at("left_out_for").items()) {
         const auto clause = spec::find_clause(id);
-        if (!clause) throw spec::InputError(place, 0, 0, spec::document::in_quotes(id) + " is no clause");
+        if (!clause) throw spec::InputError(place, 0, 0, spec::document::in_quotes(id) + " is not a clause");
         v.left_out_for[*clause] = events.get<std::uint64_t>();
       }
     }

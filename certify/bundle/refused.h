@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is wrong with a bundle.
+// The error of a bundle that is not accepted.
 #pragma once
 
 #include <stdexcept>
 
 namespace toolcomp::certify::bundle {
 
-// what() names the file in the bundle, or the case, and says why.
+// what() names the file in the bundle, or the case, and the reason.
 class Refused : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

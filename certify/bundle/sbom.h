@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bill of materials: toolcomp and what it was built of.
+// The bill of materials: toolcomp and the components from which it was built.
 #pragma once
 
 #include <string>

@@ -70,7 +70,7 @@ void sign(const std::filesystem::path& file, const std::string& key) {
   if (outcome.status == 0 && !error) return;
   std::error_code ignored;
   std::filesystem::remove(beside, ignored);
-  throw spec::InputError("--sign", 0, 0, "the bundle is written, but not signed: " + last_line(outcome.out));
+  throw spec::InputError("--sign", 0, 0, "the bundle was written, but not signed: " + last_line(outcome.out));
 }
 
 Signature check_signature(const std::filesystem::path& file) {
@@ -95,9 +95,9 @@ Signature check_signature(const std::filesystem::path& file) {
   static_cast<void>(status_of(outcome.out, "BADSIG", bad));
   const std::string key = status_of(outcome.out, "NO_PUBKEY", no_key);
   if (bad)
-    signature.words = "it is not that of this file";
+    signature.words = "it does not belong to this file";
   else if (no_key)
-    signature.words = "there is no public key " + key + " to check it";
+    signature.words = "the public key " + key + " that is needed to check it is missing";
   else
     signature.words = last_line(outcome.out);
   return signature;

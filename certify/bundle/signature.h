@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A detached signature beside a bundle, FILE.asc, made and checked by gpg.
+// A detached signature next to a bundle, FILE.asc, made and checked by gpg.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,9 @@ namespace toolcomp::certify::bundle {
 // FILE.asc.
 std::filesystem::path signature_file(const std::filesystem::path& file);
 
-// Throws spec::InputError where gpg is missing, or has no secret key of this name.
+// Throws spec::InputError if gpg is missing, or has no secret key of this name.
 void expect_key(const std::string& key);
-// Signs the file; a signature that stands there is replaced. Throws spec::InputError with what gpg says.
+// Signs the file, and replaces an existing signature. Throws spec::InputError with the message of gpg.
 void sign(const std::filesystem::path& file, const std::string& key);
 
 struct Signature {

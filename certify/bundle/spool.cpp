@@ -23,7 +23,7 @@ constexpr std::size_t kLongestLine = std::size_t{256} << 20;
 Spool::Spool(const std::filesystem::path& folder) {
   std::string name = (folder / ".toolcomp-XXXXXX").string();
   const int fd = ::mkstemp(name.data());
-  if (fd < 0) throw std::runtime_error(folder.string() + ": no temporary file can be made there");
+  if (fd < 0) throw std::runtime_error(folder.string() + ": cannot make a temporary file in this folder");
   static_cast<void>(::unlink(name.c_str()));
   file_.reset(::fdopen(fd, "w+b"));
   if (!file_) {

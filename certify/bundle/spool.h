@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A file without a name: whatever ends the process, nothing of it is left.
+// A temporary file without a name. Nothing of it is left, whatever ends the process.
 #pragma once
 
 #include <cstddef>
@@ -14,22 +14,22 @@
 
 namespace toolcomp::certify::bundle {
 
-// Written first, then read. All functions throw std::runtime_error where the disk does not do it.
+// The file is first written, then read. All functions throw std::runtime_error if the disk fails.
 class Spool {
  public:
   explicit Spool(const std::filesystem::path& folder);
 
   void append(std::string_view bytes);
   [[nodiscard]] std::uint64_t size() const { return size_; }
-  // SHA-256 of all that was appended; from now on it is read.
+  // Ends writing. Returns the SHA-256 of everything that was appended.
   std::string finish();
 
-  // From the beginning again.
+  // Goes back to the beginning.
   void rewind();
-  // The next bytes, `most` of them or fewer; none at the end. Valid until the next call.
+  // The next bytes, at most `most` of them; empty at the end. Valid until the next call.
   std::string_view read(std::size_t most);
-  // The next line without its line feed; false at the end. A last line without a line feed is one, too. Throws Refused
-  // for one of more than 256 MiB.
+  // The next line without its line feed; false at the end. A last line without a line feed counts as a line. Throws
+  // Refused for a line of more than 256 MiB.
   bool next_line(std::string& line);
 
  private:

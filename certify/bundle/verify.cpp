@@ -129,7 +129,7 @@ class Verifying {
     expect_same("certificate.json: tool", identity.at("tool"), bundle_->manifest.tool);
     if (identity.at("clauses_sha256") != clause_set_hash())
       throw Refused("certificate.json: was made by " + bundle_->manifest.tool +
-                    " with other clauses than those of this toolcomp " TOOLCOMP_VERSION);
+                    " with clauses other than those of this toolcomp " TOOLCOMP_VERSION);
     result_.corpus = identity.at("corpus").get<std::string>();
     const auto manifest = bundle_->files.find(std::string(kCorpus));
     if (result_.corpus == "none") {
@@ -140,7 +140,7 @@ class Verifying {
     expect_same(std::string(kCorpus) + ": its SHA-256", corpus::sha256(manifest->second), identity.at("corpus_sha256"));
     const corpus::Manifest here = corpus::read_manifest(options_.corpus);
     if (identity.at("corpus_sha256") != here.hash || result_.corpus != here.version)
-      throw Refused(fmt::format("corpus: the certificate rests on {} ({}), and here is {} ({})", result_.corpus,
+      throw Refused(fmt::format("corpus: the certificate used {} ({}), and this corpus is {} ({})", result_.corpus,
                                 identity.at("corpus_sha256").get<std::string>(), here.version, here.hash));
   }
 
@@ -198,7 +198,7 @@ class Verifying {
       const Record record = record_of(lines);
       const spec::Case c = read_request(lines);
       if (record.result.id != c.id || record.result.section != c.section)
-        throw Refused(fmt::format("results.jsonl: line {}: is not about {}", lines.number + 1, c.id));
+        throw Refused(fmt::format("results.jsonl: line {}: is not the result of {}", lines.number + 1, c.id));
       if (planned) planned->take(c, record.result.origin, lines.request);
       check_shape(c, record, lines.answer);
       if (record.asked) {
@@ -212,7 +212,8 @@ class Verifying {
       results_.push_back(record.result);
     });
     if (planned) planned->finish();
-    if (!capabilities_ && results_.size() > 1) throw Refused("cases.jsonl: has cases, but no controller was there");
+    if (!capabilities_ && results_.size() > 1)
+      throw Refused("cases.jsonl: has cases, but the bundle has no answer to hello");
     result_.asked = asked_.size();
     if (!capabilities_) return;
     const Json& identity = certificate_.at("identity");
@@ -225,17 +226,17 @@ class Verifying {
     const auto fail = [&c](const std::string& why) { throw Refused(c.id + ": " + why); };
     const std::string inapplicable = capabilities_ ? why_not_applicable(*capabilities_, c) : std::string();
     if (!record.asked) {
-      if (!answer.empty() || record.fault) fail("was not asked, and has an answer");
+      if (!answer.empty() || record.fault) fail("the controller was not asked, and there is an answer");
       if (result == Result::not_applicable) {
-        if (inapplicable.empty()) fail("was not asked, and applies to the controller");
+        if (inapplicable.empty()) fail("is recorded as not applicable, and applies to the controller");
       } else if (result != Result::not_run || record.result.why != kLeftOut || faults_[c.section] < kFewestFaults) {
-        fail("was not asked, without a reason");
+        fail("the controller was not asked, and no reason is given");
       }
       return;
     }
     if (!inapplicable.empty()) fail("does not apply to the controller: " + inapplicable);
-    if (result == Result::not_run) fail("was asked, and not judged");
-    if (record.cut && !record.fault) fail("has an answer of which something is missing");
+    if (result == Result::not_run) fail("the controller was asked, and the case was not judged");
+    if (record.cut && !record.fault) fail("has an answer that is not complete");
     if (answer.empty() && !record.fault) fail("has no answer");
   }
 
@@ -282,7 +283,7 @@ class Verifying {
       if (const auto* fault = std::get_if<Fault>(&answer.result)) again.fault = *fault;
       add(clauses_, run.recorder.counts());
       if (const std::string words = difference(record, again); !words.empty())
-        refuse(c.id + ": recorded and judged again: " + words);
+        refuse(c.id + ": the recorded result and the result judged again differ: " + words);
     } catch (const spec::InputError& error) {
       refuse(c.id + ": " + error.message());
     }
@@ -325,7 +326,7 @@ class Verifying {
     const auto file = bundle_->files.find(name);
     if (file == bundle_->files.end()) throw Refused(name + ": is missing");
     if (or_refused([&] { return read_finding(file->second, name); }).key != key)
-      throw Refused(name + ": is not the finding of the certificate");
+      throw Refused(name + ": is not the finding that the certificate names");
   }
 
   // The certificate says what the cases add up to.

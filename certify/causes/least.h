@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a function of one number is least.
+// Finds the minimum of a function of one number.
 #pragma once
 
 #include <functional>
@@ -7,9 +7,9 @@
 
 namespace toolcomp::certify {
 
-// The number in [-reach, reach] at which `f` is least, if it is less there than half of what it is at 0. `f` grows
-// about evenly to both sides of it; far away it may be infinite. Some forty values are asked for, most of them near 0
-// where mistakes are.
+// The number in [-reach, reach] at which `f` is smallest, if its value there is less than half of its value at 0. `f`
+// must grow about evenly to both sides of this number; far away it may be infinite. About forty values are computed,
+// most of them near 0, where mistakes are likely.
 std::optional<double> least_of(const std::function<double(double)>& f, double reach);
 
 }  // namespace toolcomp::certify

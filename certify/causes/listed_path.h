@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A path whose pieces are all there.
+// A path whose pieces are all in memory.
 #pragma once
 
 #include <cstddef>

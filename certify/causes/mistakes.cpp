@@ -112,8 +112,9 @@ void add_offsets(const spec::Case& c, Offsets spec::Setup::* table, char letter,
     if (found == offsets.end()) continue;
     const spec::OffsetEntry& entry = found->second;
     const std::string name = fmt::format("{}{} (here {})", letter, n, total(entry));
-    others.push_back({name + " is not taken off: it counts as 0", with(c, table, n, {})});
-    others.push_back({name + " has the other sign", with(c, table, n, {negated(entry.geometry), negated(entry.wear)})});
+    others.push_back({name + " is ignored: it counts as 0", with(c, table, n, {})});
+    others.push_back(
+        {name + " has the opposite sign", with(c, table, n, {negated(entry.geometry), negated(entry.wear)})});
     if (!entry.wear.is_zero())
       others.push_back({name + " is taken without its wear", with(c, table, n, {entry.geometry, {}})});
     for (const auto& [m, value] : offsets)
@@ -135,14 +136,15 @@ void add_values(const spec::Case& c, Offsets spec::Setup::* table, char letter, 
 
 }  // namespace
 
-const std::array<Mistake, 8> kMistakes{{{"offsets have the other sign", negate},
-                                        {"offsets count as 0", leave_offsets},
-                                        {"offsets are taken without their wear", leave_wear},
-                                        {"offsets are those of the number before", shift_numbers},
-                                        {"left and right are exchanged", exchange_sides},
-                                        {"the delta values of the tool table do not count", leave_deltas},
-                                        {"a rotary axis turns the other way (No. 19684)", turn_back<19684>},
-                                        {"a rotary axis turns the other way (No. 19689)", turn_back<19689>}}};
+const std::array<Mistake, 8> kMistakes{
+    {{"offsets have the opposite sign", negate},
+     {"offsets count as 0", leave_offsets},
+     {"offsets are taken without their wear", leave_wear},
+     {"each offset number has the value of the number before it", shift_numbers},
+     {"left and right are exchanged", exchange_sides},
+     {"the delta values of the tool table are ignored", leave_deltas},
+     {"a rotary axis turns in the opposite direction (No. 19684)", turn_back<19684>},
+     {"a rotary axis turns in the opposite direction (No. 19689)", turn_back<19689>}}};
 
 std::vector<OtherCase> with_mistakes(const spec::Case& c) {
   std::vector<OtherCase> others;

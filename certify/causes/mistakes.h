@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mistakes of whoever sets up a control, or writes one: the case as it runs with them. Findings of a pipe and of a
-// recording are held against these.
+// Mistakes that are made in setting up a control or in writing one: the case as it runs with them. Findings of a
+// controller and of a recording are compared with these.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 namespace toolcomp::certify {
 
 struct Mistake {
-  const char* words;  // "offsets have the other sign"
+  const char* words;  // "offsets have the opposite sign"
   void (*make)(spec::Case&);
 
   [[nodiscard]] spec::Case made_in(spec::Case c) const {
@@ -21,7 +21,7 @@ struct Mistake {
     return c;
   }
 };
-// What may be wrong in any case.
+// Mistakes that are possible in any case.
 extern const std::array<Mistake, 8> kMistakes;
 
 struct OtherCase {
@@ -29,20 +29,20 @@ struct OtherCase {
   spec::Case c;
 };
 
-// Every offset that the program calls with the value of another one, with none, with the other sign, without its wear;
-// then the mistakes above, where they change this case.
+// Every offset that the program calls: with the value of another offset, with 0, with the opposite sign, without its
+// wear. Then the mistakes above, if they change this case.
 std::vector<OtherCase> with_mistakes(const spec::Case& c);
 
-// One number off by what is not known: setup units, or degrees.
+// One number that is off by an unknown amount, in setup units or degrees.
 struct OtherValue {
   std::string cause;  // "D1 is larger"
   bool angle = false;
-  // Values this much off are tried, as multiples of how far the recording is off the path.
+  // Values up to this far off are tried, as a multiple of the distance of the recording from the path.
   double reach = 2;
   std::function<spec::Case(double)> by;
 };
 
-// Every offset that the program calls, and the lengths of the machine's geometry.
+// Every offset that the program calls, and every length of the machine's geometry.
 std::vector<OtherValue> other_values(const spec::Case& c);
 
 }  // namespace toolcomp::certify

@@ -10,8 +10,9 @@
 
 namespace toolcomp::certify {
 
-// Straight from one programmed end to the next, rotary axes evenly; no length is taken off. Machine coordinates are
-// those of FANUC programs. Nothing for a program without tool center point control, or one the model cannot decide.
+// Straight from one programmed end to the next, with rotary axes turning evenly, and without the tool length. Machine
+// coordinates exist for FANUC programs. nullptr for a program without tool center point control, or one that the model
+// cannot decide.
 std::unique_ptr<PathSource> programmed_path(const spec::Case& c, const TraceSpace& space, PathFrame frame);
 
 }  // namespace toolcomp::certify

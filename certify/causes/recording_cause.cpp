@@ -226,7 +226,8 @@ class Causes {
       reversed[axis].scale = -1;
       reversed[axis].shift = lines[axis].mirrored;
       if (lines[axis].moves && conforms(path(), undone(reversed)))
-        return fmt::format("axis {} runs the other way", letter(axis)) + shift_text(reversed, ", shifted by");
+        return fmt::format("axis {} runs in the opposite direction", letter(axis)) +
+               shift_text(reversed, ", shifted by");
     }
     if (!conforms(path(), undone(lines))) return std::nullopt;
     std::string text;

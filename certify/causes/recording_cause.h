@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one mistake, if it was made all along, explains everything that was found in a recording.
+// Looks for one mistake that explains everything found in a recording, if it was made throughout.
 #pragma once
 
 #include <optional>
@@ -13,11 +13,11 @@
 
 namespace toolcomp::certify {
 
-// The mistake with which the recording is what the program asks for, within the tolerance: "axes X and Y are
-// exchanged". Tried are, in this order, the mistakes of mistakes.h, tool center point control that is not in force,
-// axes exchanged, reversed, shifted, scaled, late, and single numbers that are off. `run`: the whole recording;
-// `found`: the findings. Nothing where none of them explains all. What is named is a hint: another mistake may look the
-// same.
+// The mistake with which the recording follows the program within the tolerance: "axes X and Y are exchanged". It
+// tries, in this order, the mistakes of mistakes.h, tool center point control that is not in force, axes that are
+// exchanged, reversed, shifted, scaled or late, and single numbers that are off. `run` is the whole recording, `found`
+// has the findings. std::nullopt if none of them explains everything. The result is a hint: another mistake may look
+// the same.
 std::optional<std::string> common_cause(const spec::Case& c, const RecordedRun& run, const Metric& metric,
                                         const ProgramPathOptions& options, const TraceResult& found);
 

@@ -66,11 +66,11 @@ std::string factor_words(double factor) {
   const auto same = [factor](double other) {
     return std::fabs(factor - other) <= fuzz::policy::kSameForCause * std::fabs(other);
   };
-  if (same(-1)) return "has the other sign";
-  if (same(kInch)) return "is in millimetres for inches (× 25.4)";
-  if (same(1 / kInch)) return "is in inches for millimetres (÷ 25.4)";
-  if (same(kDegree)) return "is in radians for degrees";
-  if (same(1 / kDegree)) return "is in degrees for radians";
+  if (same(-1)) return "has the opposite sign";
+  if (same(kInch)) return "is in millimetres instead of inches (× 25.4)";
+  if (same(1 / kInch)) return "is in inches instead of millimetres (÷ 25.4)";
+  if (same(kDegree)) return "is in radians instead of degrees";
+  if (same(1 / kDegree)) return "is in degrees instead of radians";
   if (factor == 0) return "is always 0";
   return fmt::format("is scaled by {:.6g}", factor);
 }
@@ -175,7 +175,7 @@ void add_exchanges(const Seen& seen, Hypotheses& out) {
 }
 
 void add_late(Hypotheses& out) {
-  out.push_back({"positions come a block late", [](const Seen& s) {
+  out.push_back({"positions come one block late", [](const Seen& s) {
                    return s.pairs && std::ranges::all_of(*s.pairs, [&](const ValuePair& pair) {
                             const EventValue& e = pair.expected;
                             if (!is_position(e.field) || e.event == 0) return true;
@@ -219,7 +219,7 @@ void add_left_out(Hypotheses& out) {
   };
   add("all events are missing", [](const Event&) { return true; });
   add("alarms are missing", [](const Event& e) { return e.kind == spec::EventKind::alarm; });
-  add("events that are no moves are missing", [](const Event& e) { return e.kind != spec::EventKind::move; });
+  add("events other than moves are missing", [](const Event& e) { return e.kind != spec::EventKind::move; });
   add("samples are missing", [](const Event& e) { return e.kind == spec::EventKind::sample; });
   add("warnings are missing", [](const Event& e) { return e.kind == spec::EventKind::warning; });
   add("corner moves are missing", [](const Event& e) { return e.cause == spec::Cause::corner; });
@@ -245,7 +245,7 @@ void add_orders(Hypotheses& out) {
   add("lines are one too high", [](Events& events) {
     for (auto& event : events) ++event.line;
   });
-  add("where the run ends in an alarm, the moves before it are missing", [](Events& events) {
+  add("if the run ends in an alarm, the moves before it are missing", [](Events& events) {
     if (!events.empty() && events.back().kind == spec::EventKind::alarm)
       std::erase_if(events, [](const auto& event) { return event.kind != spec::EventKind::alarm; });
   });
@@ -274,7 +274,7 @@ std::vector<std::string> words_of(const Finding& f) {
   }
   if (kind == "missing field" || kind == kNeverSent) return {kind + ": " + f.field.substr(0, f.field.find('.'))};
   if (f.field.empty() || f.field == "event" || is_number(f.actual) || is_number(f.expected)) return {};
-  return {fmt::format("{} is {} for {}", f.field, f.actual, f.expected),
+  return {fmt::format("{} is {} instead of {}", f.field, f.actual, f.expected),
           fmt::format("{} is always {}", f.field, f.actual)};
 }
 
@@ -293,7 +293,7 @@ void add_one_less(Hypotheses& out) {
 
 // What came is what the case before asks for.
 void add_stale(Hypotheses& out) {
-  out.push_back({"the answer is that of the case before",
+  out.push_back({"the answer belongs to the previous case",
                  [](const Seen& s) { return !s.finding.before.empty() && came(s, s.finding.before.back()); }});
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What many findings have in common: the mistake that, made all along, explains them.
+// Looks for mistakes that explain many findings, if they were made throughout.
 #pragma once
 
 #include <cstddef>
@@ -13,16 +13,16 @@ namespace toolcomp::certify {
 
 struct SharedCause {
   std::string words;                  // "axes.X is off by 1e-06"
-  std::vector<std::size_t> findings;  // which it explains, by index
-  std::uint64_t cases = 0;            // with one of them
+  std::vector<std::size_t> findings;  // indices of the findings that it explains
+  std::uint64_t cases = 0;            // number of cases with one of these findings
 };
 
-// The mistakes, as few as will do, each with the findings that it explains whole: with it the model's events are those
-// that came. Tried are faults of one kind, one word in place of another, events left out, numbers off by a constant or
-// a factor, rounded, axes exchanged, a block late, and the mistakes of mistakes.h. A finding stands with the first
-// cause that explains most. What is named is a hint: another mistake may look the
-// same. What nothing explains stands together by what differs: "not explained: coordinate of axes". `findings` have the
-// events as they were seen.
+// A small number of mistakes, each with the findings that it explains completely: with the mistake, the model gives the
+// actual events. It tries faults of one kind, one word in place of another, missing events, numbers that are off by a
+// constant or a factor or rounded, exchanged axes, positions one block late, and the mistakes of mistakes.h. A finding
+// belongs to the first cause that explains the largest number of findings. The result is a hint: another mistake may
+// look the same. Findings that no mistake explains are grouped by what differs: "not explained: coordinate of axes".
+// `findings` must have their events.
 std::vector<SharedCause> shared_causes(const std::vector<Finding>& findings);
 
 }  // namespace toolcomp::certify

@@ -20,7 +20,7 @@ std::string clock_text(double seconds) {
 
 std::string found_text(const BoardView& view) {
   std::string text = findings_text(view.findings, view.ways);
-  if (view.waiting > 0) text += fmt::format(", {} to look at", view.waiting);
+  if (view.waiting > 0) text += fmt::format(", {} to examine", view.waiting);
   return text;
 }
 
@@ -69,7 +69,7 @@ std::vector<std::string> board_lines(const BoardView& view, bool summary) {
         r.fresh == 0 ? "" : fmt::format("+{}", r.fresh), reader ? "" : std::to_string(r.law_checks),
         reader ? "" : std::to_string(r.ties), r.hits);
   }
-  if (idle > 0) lines.push_back(fmt::format("{} targets had no turn{}", idle, summary ? "" : " yet"));
+  if (idle > 0) lines.push_back(fmt::format("{} targets were not run{}", idle, summary ? "" : " yet"));
   if (std::string voice = voice_text(view.specification); !voice.empty()) lines.push_back(std::move(voice));
   lines.push_back(
       fmt::format("{}  {}{}", clock_text(view.seconds), found_text(view), view.state.empty() ? "" : "  " + view.state));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a campaign shows of itself while it runs.
+// The display of a campaign while it runs.
 #pragma once
 
 #include <chrono>
@@ -14,7 +14,7 @@
 
 namespace toolcomp::certify::fuzzing {
 
-// One target, everything counted that it ever did in this folder.
+// One target, with all its counts of this folder.
 struct BoardRow {
   std::string target;
   unsigned workers = 0;
@@ -22,8 +22,8 @@ struct BoardRow {
   double per_second = 0;  // of a worker
   double accepted = 0;    // share
   std::size_t outcomes = 0;
-  std::size_t of = 0;     // outcomes there are
-  std::size_t fresh = 0;  // outcomes that came in the last window
+  std::size_t of = 0;     // number of existing outcomes
+  std::size_t fresh = 0;  // outcomes first reached in the last window
   std::uint64_t law_checks = 0;
   std::uint64_t ties = 0;
   std::uint64_t hits = 0;  // executions that differed
@@ -31,7 +31,7 @@ struct BoardRow {
 
 // The formal specification as third voice.
 struct VoiceRow {
-  std::string silent;  // why it says nothing: "not built in"; empty: it does, or was not asked for
+  std::string silent;  // why it is not used: "not built in"; empty if it is used, or was not asked for
   VoiceCount count;
 };
 
@@ -40,16 +40,17 @@ struct BoardView {
   VoiceRow specification;
   double seconds = 0;  // since this start
   std::size_t findings = 0;
-  std::size_t ways = 0;     // in which they show
-  std::size_t waiting = 0;  // sightings nobody has looked at
+  std::size_t ways = 0;     // ways in which they show
+  std::size_t waiting = 0;  // sightings that were not examined
   std::string state;        // "", "settling"
 };
 
-// How many outcomes came in the last window.
+// Counts the outcomes that were first reached in the last window.
 class OutcomeWindow {
  public:
   static constexpr std::chrono::seconds kLength{60};
-  // What is known now; how many more than a window ago, or than at the first call.
+  // Takes the current number of outcomes. Returns how many more these are than one window ago, or than at the first
+  // call.
   std::size_t fresh(const std::string& target, std::size_t outcomes, Clock::time_point now);
 
  private:
@@ -60,8 +61,8 @@ class OutcomeWindow {
   std::map<std::string, std::deque<Count>> counts_;
 };
 
-// The board as lines, a header first; the rows of targets without executions are summed up in one line. As a summary at
-// the end the column of workers and that of what came last are left out.
+// The board as lines, with a header first. Targets without executions share one line. With `summary`, the columns for
+// the workers and for new outcomes are left out.
 std::vector<std::string> board_lines(const BoardView& view, bool summary = false);
 // One line of plain text for logs.
 std::string plain_line(const BoardView& view);

@@ -154,7 +154,7 @@ class Hunt {
     say(fmt::format("formal specification: {} after {} cases; {}", worker->how(), worker->executions(),
                     worker->errors()));
     if (worker->how() == "cannot write") throw std::runtime_error(cannot_write(worker->errors()));
-    if (third_failures_ == kMostFailures) say("formal specification: not asked any more");
+    if (third_failures_ == kMostFailures) say("formal specification: no longer asked");
     // What was kept and not asked yet is asked by the next one.
     third_done_ = false;
   }
@@ -239,8 +239,8 @@ class Hunt {
   }
 
   [[nodiscard]] std::string cannot_write(const std::string& errors) const {
-    return folder_.root().string() + ": a worker could not write any more" + (errors.empty() ? "" : ": " + errors) +
-           "; what was found is kept, the next start takes it up";
+    return folder_.root().string() + ": a worker could no longer write" + (errors.empty() ? "" : ": " + errors) +
+           "; the findings so far are kept, and the next start resumes the campaign";
   }
 
   void settle_step() {

@@ -68,7 +68,7 @@ std::string margins(const Finding& finding, const fuzz::ModelRun& run) {
   choose([&](const model::Decision& d) { return by_clause(d) && d.line == finding.line; });
   choose(by_clause);
   choose([&](const model::Decision& d) { return d.line == finding.line; });
-  if (at.empty()) return "no decision by the sign of a number was taken there\n";
+  if (at.empty()) return "no sign of a number was decided there\n";
   sort_by(at, [](const model::Decision* d) { return fuzz::margin(*d); });
   constexpr std::size_t kMost = 3;
   std::string text = at.size() > kMost ? fmt::format("the nearest {} of {} decisions there:\n", kMost, at.size())
@@ -172,7 +172,7 @@ std::string_view name(Stage stage) {
     case Stage::seen:
       return "seen";
     case Stage::gone:
-      return "did not come again";
+      return "not reproduced";
     case Stage::reproduced:
       return "reproduced";
     case Stage::shrunk:
@@ -232,7 +232,7 @@ bool write_dossier(const Dossier& dossier, const fs::path& folder) {
   if (!fresh && stays(folder / "finding.json", f)) return false;
   const spec::Axes& axes = f.smallest.setup.axes;
   spec::write_file(part / "case.json", spec::write_case(f.smallest));
-  std::string margin = "not looked at\n";
+  std::string margin = "not examined\n";
   if (dossier.stage != Stage::seen) {
     const fuzz::ModelRun run = fuzz::run_model(f.smallest);
     margin = margins(f, run);

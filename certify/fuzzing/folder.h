@@ -3,7 +3,7 @@
 //   state.json        what it has done (state.h)
 //   corpus/TARGET     inputs that reached something new
 //   asked             inputs of the corpus that the formal specification has had
-//   work/NUMBER       a slice that runs, or ran when the campaign was killed
+//   work/NUMBER       a slice that is running, or was running when the campaign was killed
 //   findings/NAME     a finding (dossier.h); findings/new: sightings nobody has looked at; open/NAME: not decided
 //   log               what happened, a line each
 #pragma once
@@ -31,18 +31,21 @@ class Folder {
   [[nodiscard]] std::filesystem::path open() const { return root_ / "open"; }
   [[nodiscard]] std::filesystem::path sightings() const { return findings() / "new"; }
 
-  // The state, with the slices on top that nobody counted because the campaign was killed; none: no campaign was here.
+  // The state, including the slices that were not counted because the campaign was killed; std::nullopt if the folder
+  // has no campaign.
   [[nodiscard]] std::optional<State> load() const;
-  // Throws std::runtime_error that names the file.
+  // Throws std::runtime_error with the name of the file.
   void save(const State& state, const std::vector<Running>& running) const;
   // One line with the time of day.
   void log(const std::string& line) const;
 
-  // Takes what a worker has seen so far to the sightings: renamed, so that each is in one place at any time.
+  // Moves the sightings of a worker so far to the sightings of the campaign. They are renamed, so that each is in
+  // exactly one place at any time.
   void take_sightings(std::uint64_t slice) const;
-  // Counts a slice that has ended, saves, and only then removes its folder: a kill between counts nothing twice.
+  // Counts a slice that has ended, saves, and only then removes its folder, so that a kill in between counts nothing
+  // twice.
   void close(State& state, std::uint64_t slice, std::uint64_t milliseconds, const std::vector<Running>& running) const;
-  // Removes what load() has counted, once it is saved.
+  // Removes the slices that load() has counted, after they are saved.
   void remove_work() const;
 
   struct Sighting {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a campaign has found, as its folder holds it.
+// The findings of a campaign, as they are in its folder.
 #pragma once
 
 #include <filesystem>
@@ -14,8 +14,8 @@ namespace toolcomp::certify::fuzzing {
 
 // A dossier.
 struct Shown {
-  std::string name;              // by which state.json counts its cases
-  std::filesystem::path folder;  // where it is; empty: nowhere that stays
+  std::string name;              // name under which state.json counts its cases
+  std::filesystem::path folder;  // where it is; empty if it is not kept
   Story story;
 };
 
@@ -27,12 +27,12 @@ struct Found {
 };
 Found found_in(const Folder& folder);
 
-// Copies the first way of each finding, and what is open, to a folder, under their names or, where another case has
-// one, the next that is free: nothing there is written over. Of a finding of which a way is there already that one
-// becomes the first. What is found, as it is there: the other ways are nowhere.
+// Copies the first way of each finding, and the open cases, to a folder. They keep their names; if another case has the
+// name, they get the next free one, so that nothing there is overwritten. If a way of a finding is already there, this
+// way becomes the first one. Returns the findings with their new places; the other ways have no place.
 Found copy_out(Found found, const std::filesystem::path& to);
 
-// "3 findings", and in how many ways where these are more.
+// "3 findings", with the number of ways if there are more ways than findings.
 std::string findings_text(std::size_t findings, std::size_t ways);
 
 }  // namespace toolcomp::certify::fuzzing

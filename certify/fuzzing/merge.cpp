@@ -89,17 +89,18 @@ void take_sightings(const Folder& from, const Folder& to) {
 }
 
 void expect_at_rest(const fs::path& folder) {
-  if (!fs::exists(folder / "state.json")) throw spec::InputError(folder.string(), 0, 0, "holds no campaign");
+  if (!fs::exists(folder / "state.json"))
+    throw spec::InputError(folder.string(), 0, 0, "is not the folder of a campaign");
   if (!entries(folder / "work").empty())
     throw spec::InputError(folder.string(), 0, 0,
-                           "its campaign was killed or is at work; `toolcomp fuzz --campaign` takes it up");
+                           "its campaign was killed or is still running; `toolcomp fuzz --campaign` resumes it");
 }
 
 }  // namespace
 
 void merge_campaigns(const std::vector<fs::path>& folders, const fs::path& merged) {
   if (fs::exists(merged) && (!fs::is_directory(merged) || !fs::is_empty(merged)))
-    throw spec::InputError(merged.string(), 0, 0, "is there already; a merged campaign gets a folder of its own");
+    throw spec::InputError(merged.string(), 0, 0, "exists already; name a new folder for the merged campaign");
   for (const fs::path& folder : folders) expect_at_rest(folder);
   const Folder to(merged);
   State sum;

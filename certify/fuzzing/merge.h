@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several campaigns as one.
+// Merges several campaigns into one.
 #pragma once
 
 #include <filesystem>
@@ -7,9 +7,9 @@
 
 namespace toolcomp::certify::fuzzing {
 
-// Corpora, findings, sightings and counters of the folders in a new one; of a finding that several have, the smallest.
-// The same bytes in whatever order they are named. Throws spec::InputError for a folder that holds no campaign, one at
-// work, or a new one that is not empty.
+// Puts corpora, findings, sightings and counters of the folders into a new folder. If several have the same finding,
+// the smallest is kept. The order of the folders does not matter. Throws spec::InputError for a folder without a
+// campaign, for a running campaign, and for a new folder that is not empty.
 void merge_campaigns(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& merged);
 
 }  // namespace toolcomp::certify::fuzzing

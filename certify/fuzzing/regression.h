@@ -13,7 +13,7 @@ namespace toolcomp::certify::fuzzing {
 // neither.
 std::vector<spec::Case> regression_cases(const std::filesystem::path& folder);
 
-// The same as first inputs of both targets of their sections, below `inputs` as Target::seeds says.
+// Writes these cases as first inputs of both targets of their sections, below `inputs` in the folders of Target::seeds.
 void write_regression_inputs(const std::filesystem::path& folder, const std::filesystem::path& inputs);
 
 }  // namespace toolcomp::certify::fuzzing

@@ -87,7 +87,7 @@ std::string core_of(Subject& subject, const Capabilities& capabilities, const Fi
 
 Dossier undecided(const Finding& seen) {
   // A controller's answer to it is not asked for again.
-  if (!seen.controller.empty()) return as_it_was(seen, Stage::seen, "of a controller");
+  if (!seen.controller.empty()) return as_it_was(seen, Stage::seen, "a controller is not asked again");
   const fuzz::ModelRun run = fuzz::run_model(seen.smallest);
   const auto engine = built_in_engine();
   const auto able = std::get<Capabilities>(engine->capabilities());
@@ -100,7 +100,7 @@ Dossier undecided(const Finding& seen) {
 }  // namespace
 
 Dossier settle(const Finding& seen, const SettleOptions& options) {
-  if (seen.key.section.empty()) return as_it_was(seen, Stage::seen, "the input of a reader stays as it is");
+  if (seen.key.section.empty()) return as_it_was(seen, Stage::seen, "the input of a reader is not shrunk");
   try {
     if (seen.key.kind == fuzz::kUndecidedKind) return undecided(seen);
     const auto subject = subject_for(seen, options);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a worker saw, looked at again: from "something differed" to a finding that anybody can repeat.
+// Examines what a worker saw: turns "something differed" into a finding that can be repeated.
 #pragma once
 
 #include <chrono>
@@ -17,16 +17,16 @@ struct SettleOptions {
   std::function<bool()> stop;
 };
 
-// Judged again with the subject it names and shrunk; the same input gives the same dossier. What does not come again,
-// or cannot be judged, stays as it was seen, and the dossier says so. A crash and a hang are looked for in a process of
-// their own.
+// Judges the sighting again with the subject that it names, and shrinks it. The same input gives the same dossier. A
+// sighting that is not reproduced, or cannot be judged, stays as it was seen, and the dossier says so. Crashes and
+// hangs are reproduced in a separate process.
 Dossier settle(const Finding& seen, const SettleOptions& options);
 
-// Whether already the plainest move fails: then every program does.
+// Whether even the simplest move fails. Then every program fails.
 bool fails_everywhere(const Dossier& dossier);
 
 // The file of one sighting in `file`: a finding (.json), or an input of a target as libFuzzer names it: crash-…,
-// timeout-…, oom-…; of a reader anything. `target` is a fuzz target by name. Throws spec::InputError.
+// timeout-…, oom-…; of a reader any name. `target` is a fuzz target by name. Throws spec::InputError.
 Finding read_sighting(const std::filesystem::path& file, const std::string& target);
 
 }  // namespace toolcomp::certify::fuzzing

@@ -98,8 +98,8 @@ void Settler::step(State& state, const std::function<void(const Settled&)>& on_s
     return;
   }
   // It stays where it is: the next step keeps it as it was seen.
-  failed_ = heard == Exchange::timed_out ? fmt::format("looking at it took more than {} s", kPatience.count())
-                                         : "looking at it ended with " + how;
+  failed_ = heard == Exchange::timed_out ? fmt::format("examining it took more than {} s", kPatience.count())
+                                         : "examining it ended with " + how;
 }
 
 void Settler::begin() {

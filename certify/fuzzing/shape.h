@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is left of a shrunk program when its numbers go: what tells two bugs apart that show at one clause.
+// The shape of a shrunk program: the program without its numbers. It distinguishes two bugs that show at one clause.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace toolcomp::certify::fuzzing {
 
-// The blocks as codes and letters, "G43 H X|G49": sequence numbers and comments left out, letters of one kind of axis
-// alike (X Y Z U V W are X, A B C are A, I J K are I), words in order and each once in a block, blocks that repeat the
-// one before left out. Two minimal programs of one bug mostly differ in nothing else.
+// The blocks as codes and letters, "G43 H X|G49". Sequence numbers and comments are left out. Letters of one kind of
+// axis become the same (X Y Z U V W become X, A B C become A, I J K become I). Words are sorted, each once in a block.
+// Blocks that repeat the block before are left out. Two minimal programs of one bug usually have the same shape.
 std::string shape_of(const spec::Case& c);
 
 }  // namespace toolcomp::certify::fuzzing

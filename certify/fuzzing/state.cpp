@@ -115,7 +115,7 @@ State read_state(std::string_view text, const std::string& file) {
     for (const auto& [name, target] : json.at("targets").items()) state.targets[name] = target_of(target);
     if (json.contains("specification")) state.specification = target_of(json.at("specification"));
   } catch (const Json::exception& error) {
-    throw spec::InputError(file, 0, 0, std::string("is no state of a campaign: ") + error.what());
+    throw spec::InputError(file, 0, 0, std::string("is not the state of a campaign: ") + error.what());
   }
   return state;
 }

@@ -12,7 +12,7 @@
 
 namespace toolcomp::certify::fuzzing {
 
-// Of one target: all slices that have ended.
+// All slices of one target that have ended.
 struct TargetState {
   fuzz::Counters sum;
   std::uint64_t slices = 0;
@@ -22,18 +22,19 @@ struct State {
   std::string begun;  // UTC
   std::uint64_t seed = 1;
   std::uint64_t starts = 0;
-  std::uint64_t milliseconds = 0;  // of all starts
+  std::uint64_t milliseconds = 0;  // sum of all starts
   std::map<std::string, TargetState> targets;
-  TargetState specification;                  // of the third voice (third_voice.h)
-  std::map<std::string, std::uint64_t> ends;  // how workers ended, in time apart: "crash", "hang", "killed by signal 9"
-  std::map<std::string, std::uint64_t> groups;  // findings by the name of their folder: cases that came to it
+  TargetState specification;  // of the third voice (third_voice.h)
+  std::map<std::string, std::uint64_t>
+      ends;  // how workers ended, if not in time: "crash", "hang", "killed by signal 9"
+  std::map<std::string, std::uint64_t> groups;  // number of cases of each finding, by the name of its folder
   std::uint64_t next_slice = 1;
-  std::set<std::uint64_t> open;  // slices begun whose counters are not in `targets` yet
+  std::set<std::uint64_t> open;  // started slices whose counters are not yet in `targets`
 
   [[nodiscard]] std::uint64_t executions() const;
 };
 
-// With what runs now on top, for readers of the file: it counts once its slice has ended.
+// A slice that is running. It is shown to readers of the file, and counted when it has ended.
 struct Running {
   std::uint64_t slice = 0;
   std::string target;
@@ -41,10 +42,10 @@ struct Running {
   std::uint64_t executions = 0;
 };
 std::string write_state(const State& state, const std::vector<Running>& running);
-// Throws spec::InputError for a file that is none.
+// Throws spec::InputError for a file that is not such a state.
 State read_state(std::string_view text, const std::string& file);
 
-// Sums, and of names the union: in whatever order states are merged, the result is the same.
+// Adds the counts and unites the names. The order in which states are merged does not matter.
 void merge(State& total, const State& part);
 
 }  // namespace toolcomp::certify::fuzzing

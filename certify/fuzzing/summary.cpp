@@ -142,18 +142,18 @@ std::string text_of(const Shown& shown) {
 std::string text_of(const Family& finding, const CampaignEnd& end) {
   const std::vector<Shown>& ways = end.found.ways;
   std::string text = "FINDING " + text_of(ways[finding.first]) +
-                     fmt::format("  cases that came to it: {}\n", cases_of(end.state, ways[finding.first]));
+                     fmt::format("  cases that show it: {}\n", cases_of(end.state, ways[finding.first]));
   std::size_t nowhere = 0;
   std::uint64_t cases = 0;
   for (const std::size_t i : finding.others) {
     if (!ways[i].folder.empty()) {
-      text += fmt::format("  shows in {} too: {} cases\n", ways[i].folder.string(), cases_of(end.state, ways[i]));
+      text += fmt::format("  also shows in {}: {} cases\n", ways[i].folder.string(), cases_of(end.state, ways[i]));
       continue;
     }
     ++nowhere;
     cases += cases_of(end.state, ways[i]);
   }
-  if (nowhere > 0) text += fmt::format("  shows in {} other ways too: {} cases\n", nowhere, cases);
+  if (nowhere > 0) text += fmt::format("  also shows in {} other ways: {} cases\n", nowhere, cases);
   return text;
 }
 
@@ -170,13 +170,13 @@ Verdict verdict_of(const CampaignOptions& options, const CampaignEnd& end) {
     for (const std::string& words : fuzz::shortfalls(*target, sum))
       verdict.shortfalls.push_back(target->name + ": " + words);
   }
-  if (end.waiting > 0) verdict.shortfalls.push_back(fmt::format("{} sightings nobody has looked at", end.waiting));
+  if (end.waiting > 0) verdict.shortfalls.push_back(fmt::format("{} sightings were not examined", end.waiting));
   if (!end.found.findings.empty()) {
     verdict.status = 1;
     verdict.words = findings_text(end.found.findings.size(), end.found.ways.size());
   } else if (!verdict.shortfalls.empty()) {
     verdict.status = 3;
-    verdict.words = "no finding, which means nothing yet";
+    verdict.words = "no finding, but the search was too short to count as a pass";
   } else {
     verdict.words = "no finding";
   }
@@ -197,7 +197,7 @@ std::string summary_text(const CampaignOptions& options, const CampaignEnd& end,
   for (const SectionSum& s : sections) text += text_of(s, sections.size() == 1);
   if (const fuzz::FaultsWithin faults = all_faults(sections); faults.all > 0) {
     text += fmt::format(
-        "what a search of this length is known to find:\n  {} of {} seeded faults of these sections, by "
+        "what a search of this length finds:\n  {} of {} seeded faults of these sections, by "
         "their budgets\n",
         faults.within, faults.all);
     text += wanted(sections) + kNoScore;

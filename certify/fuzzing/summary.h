@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a campaign has to say at its end: what was covered, and whether "nothing found" means anything.
+// The summary at the end of a campaign: what was covered, and whether "nothing found" counts as a pass.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 namespace toolcomp::certify::fuzzing {
 
 struct Verdict {
-  int status = 0;  // 0 nothing found, 1 findings, 3 nothing found that would mean anything
+  int status = 0;  // 0 nothing found, 1 findings, 3 nothing found, but the search was too short to count as a pass
   std::string words;
   std::vector<std::string> shortfalls;  // "tool_offset_directed: not run"
 };
@@ -18,7 +18,7 @@ Verdict verdict_of(const CampaignOptions& options, const CampaignEnd& end);
 
 // For people.
 std::string summary_text(const CampaignOptions& options, const CampaignEnd& end, const Verdict& verdict);
-// For machines: one JSON object.
+// For programs: one JSON object.
 std::string summary_json(const CampaignOptions& options, const CampaignEnd& end, const Verdict& verdict);
 
 }  // namespace toolcomp::certify::fuzzing

@@ -24,7 +24,8 @@ spec::CalledProgram CalledFiles::finder() {
     if (!file) return std::nullopt;
     const fs::path home = fs::canonical(folder.empty() ? "." : folder);
     if (const fs::path real = fs::canonical(*file); std::ranges::mismatch(home, real).in1 != home.end())
-      throw spec::InputError(file->string(), 0, 0, "is a link out of the folder of the program: it is not followed");
+      throw spec::InputError(file->string(), 0, 0,
+                             "is a link to a place outside the folder of the program; toolcomp does not follow it");
     begins_.insert_or_assign(line, *file);
     return spec::read_file(file->string());
   };

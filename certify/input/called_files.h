@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files that a program calls, and where their lines stand in the text of all of them joined.
+// The files that a program calls, and the places of their lines in the joined text.
 #pragma once
 
 #include <cstdint>
@@ -21,12 +21,12 @@ struct Place {
 
 class CalledFiles {
  public:
-  // What `main` calls stands beside it; standard input ("-") calls no files.
+  // Files that `main` calls are in the same folder. Standard input ("-") calls no files.
   CalledFiles(std::string main, spec::Control control) : main_(std::move(main)), control_(control) {}
 
-  // For a reader of the program; valid while this is. It remembers which files the reader joined.
+  // The function for a reader of the program, valid as long as this object. It remembers which files the reader joined.
   spec::CalledProgram finder();
-  // The file and its line in which a line of the joined text stands, as far as a reader joined them.
+  // The file and line of a line of the joined text, as far as a reader has joined it.
   [[nodiscard]] Place place(std::uint64_t line, std::uint64_t column) const;
 
  private:

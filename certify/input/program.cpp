@@ -33,7 +33,7 @@ bool begins_with_brace(const std::string& path) {
 std::string setup_beside(const std::string& path) {
   const fs::path beside = fs::path(path).parent_path() / "setup.toml";
   if (path == "-" || !fs::exists(beside))
-    throw spec::InputError(path, 0, 0, "a program needs --setup, or a setup.toml beside it");
+    throw spec::InputError(path, 0, 0, "a program needs --setup, or a setup.toml in its folder");
   return beside.string();
 }
 

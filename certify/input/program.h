@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is worked on: a case or a program with its setup, from files or from memory.
+// The input of most commands: a case, or a program with its setup, from files or from memory.
 #pragma once
 
 #include <cstdint>
@@ -18,26 +18,27 @@ namespace toolcomp::certify::input {
 class Program {
  public:
   // `path` names a case (it ends in .json, or its first character is `{`) or a program; "-" is standard input. `setup`
-  // names a setup file, TOML or JSON by its ending; empty: setup.toml beside the program. `samples` replaces those of a
-  // case. Throws spec::InputError.
+  // names a setup file, TOML or JSON by its ending; empty: setup.toml in the folder of the program. `samples` replaces
+  // the number of a case. Throws spec::InputError.
   Program(const std::string& path, const std::string& setup, std::optional<std::uint32_t> samples = {});
-  // The same with the setup given.
+  // The same with a given setup.
   Program(const std::string& path, const spec::Setup& setup, std::optional<std::uint32_t> samples);
-  // A program in memory, which is not looked at here. `name` stands for it in messages; what it calls is not there.
+  // A program in memory, which is not checked here. `name` is its name in messages. It cannot call other files.
   Program(std::string name, spec::Case c);
 
   [[nodiscard]] const spec::Setup& setup() const { return case_.setup; }
-  // Its text, from the beginning each time; that of standard input once. Valid while this program is.
+  // The text, each time from the beginning; standard input can be read only once. Valid as long as this program.
   [[nodiscard]] fuzz::StreamedProgram text() const;
-  // The case itself, or the program as one (read whole).
+  // The case itself, or the program as a case (the whole text is read).
   [[nodiscard]] spec::Case as_case() const;
   [[nodiscard]] const std::string& path() const { return path_; }
-  // Where a line of the text that is read stands: in its file, or in one that it calls.
+  // The place of a line of the joined text: in the file of the program, or in a file that it calls.
   [[nodiscard]] Place place(std::uint64_t line, std::uint64_t column = 1) const;
-  // The same for a fault of the input.
+  // The error with such a place.
   [[nodiscard]] spec::InputError placed(const spec::InputError& error) const;
   [[nodiscard]] bool is_case() const { return is_case_; }
-  // Into how many parts blocks under tool center point control are divided (docs/events.md, rule 7); 0: no samples.
+  // The number of parts into which blocks under tool center point control are divided (docs/events.md, rule 7); 0: no
+  // samples.
   [[nodiscard]] std::uint32_t samples() const { return case_.samples; }
 
  private:
@@ -50,15 +51,15 @@ class Program {
   std::unique_ptr<CalledFiles> called_;
 };
 
-// Throws spec::InputError, with the place in the file, also for what only the engines refuse (check_setup).
+// Throws spec::InputError, with the place in the file, also for setups that only the engines refuse (check_setup).
 spec::Setup read_setup(const std::string& path);
-// The same of text, for which `name` stands in messages.
+// The same for a text. `name` is its name in messages.
 spec::Setup read_setup_text(const std::string& text, const std::string& name, bool json);
-// What only the engines refuse: kinematics no machine could have, tables of deviations that are missing.
+// Refuses setups that only the engines refuse: kinematics that no machine could have, missing tables of deviations.
 void check_setup(const spec::Setup& setup);
 
-// Throws spec::InputError where the program of a case holds what no control would read, up to where the run ends.
-// `name` stands for the program in it.
+// Throws spec::InputError if the program of a case, up to the end of the run, contains something that no control would
+// read. `name` is the name of the program in the message.
 void expect_readable(const spec::Case& c, const std::string& name);
 
 }  // namespace toolcomp::certify::input

@@ -64,7 +64,7 @@ class FormReader {
     }
     if (line.find_first_not_of(" ,") == std::string_view::npos) return;
     const std::vector<Field> fields = fields_of(line);
-    if (fields.size() != kFields) fail(line.size() + 1, "a line has program, alarm, block and note");
+    if (fields.size() != kFields) fail(line.size() + 1, "expected program, alarm, block and note");
     entry(fields);
   }
 
@@ -86,18 +86,19 @@ class FormReader {
     const bool known = number && std::ranges::any_of(kit_.programs, [&](const KitProgram& p) {
                          return p.number == *number && !p.alarm.empty();
                        });
-    if (!known) fail(fields[0].column, "\"" + program + "\" is no program of this kit that ends in an alarm");
+    if (!known) fail(fields[0].column, "\"" + program + "\" is not a program of this kit that ends in an alarm");
     noted.number = *number;
     if (std::ranges::find(noted_, noted.number, &NotedAlarm::number) != noted_.end())
-      fail(fields[0].column, program + " is there twice");
+      fail(fields[0].column, program + " is listed twice");
     noted.alarm = fields[1].text;
     std::ranges::transform(noted.alarm, noted.alarm.begin(),
                            [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
     const bool is_name = noted.alarm.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789-") == std::string::npos;
-    if (!is_name) fail(fields[1].column, "an alarm is a number, PS and a number, a name, or NONE");
+    if (!is_name) fail(fields[1].column, "expected an alarm: a number, PS and a number, a name, or NONE");
     noted.block = fields[2].text;
     if (noted.block.starts_with('N')) noted.block.erase(0, 1);
-    if (!noted.block.empty() && !whole_number(noted.block)) fail(fields[2].column, "a block is its sequence number");
+    if (!noted.block.empty() && !whole_number(noted.block))
+      fail(fields[2].column, "expected the sequence number of the block");
     noted_.push_back(std::move(noted));
   }
 

@@ -94,7 +94,7 @@ std::string CaseRunner::end_of_case(const fuzz::ModelRun& run, const CaseLines& 
     ending_fails = event.line > lines.last;
     if (event.kind != spec::EventKind::undecided && event.kind != spec::EventKind::alarm) return event.message;
     if (event.kind == spec::EventKind::undecided) return "the specification leaves open what happens";
-    if (ending_fails || event.line < lines.first) return "it cannot be ended by a common safe block";
+    if (ending_fails || event.line < lines.first) return "none of the safe endings of a kit can end it";
     result.stop = Stop{event.alarm, std::string(event.number.view()), event.line - lines.first};
   }
   if (result.stop || end_of(run) == end_) return {};
@@ -106,14 +106,14 @@ std::string CaseRunner::shown(const fuzz::ModelRun& run, const CaseLines& lines,
   if (!outside_travels(machine_, run.events).empty()) return "outside the travels";
   if (std::ranges::any_of(run.events, [](const model::Event& event) { return event.unknown != 0; }))
     return "a position is not known";
-  if (decides_near_a_tie(run.recorder)) return "a decision lies too near its boundary";
+  if (decides_near_a_tie(run.recorder)) return "a decision is too near its boundary";
   const bool moves = std::ranges::any_of(run.events, [&](const model::Event& event) {
     return (event.kind == spec::EventKind::move || event.hole) && inside(lines, event.line);
   });
   if (result.stop &&
       (result.stop->cause == spec::AlarmCause::unknown_code || result.stop->cause == spec::AlarmCause::g10_kind))
     return "the control may know a code that the model does not";
-  if (!result.stop && !moves) return "it moves nothing";
+  if (!result.stop && !moves) return "it moves no axis";
   result.shows = result.stop ? outcomes_.shown_by_alarm(run.recorder, run.events.back().clauses)
                              : outcomes_.reached(run.recorder, &frame_);
   for (const model::Event& event : run.events)

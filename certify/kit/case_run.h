@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One case on the machine: the program with this case alone, run through the model.
+// One case on the machine: the model runs a program with only this case.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace toolcomp::certify::kit {
 
-// The setup of a kit's programs: the machine that begins at the place of the marks and skips blocks with a /.
+// The setup of the programs of a kit: the machine, beginning at the place of the marks, with block skip on.
 spec::Setup program_setup(const Machine& machine, const Overlay& overlay, const spec::Setup& offsets);
 
 struct Stop {
@@ -24,30 +24,31 @@ struct Stop {
   std::uint64_t block = 0;  // index of the case's block, from 0
 };
 
-// What the model says of it.
+// The result of the model for a case.
 struct CaseRun {
-  std::string why;                    // why it is of no use here; empty: it is
-  std::optional<Stop> stop;           // the alarm in which it ends
-  OutcomeSet shows;                   // more than the program without a case; with an alarm what that shows
-  CaseText text;                      // with the ending that works, and a start that fits the travels
-  std::vector<std::string> events;    // of the case, as JSON, lines counted from its first; where samples are asked for
-  std::vector<std::string> settings;  // "H1", "D2.wear": what it writes to the offset memory
+  std::string why;           // why it is of no use here; empty if it is useful
+  std::optional<Stop> stop;  // the alarm in which it ends
+  OutcomeSet shows;  // outcomes that the program without a case does not show; with an alarm, the outcomes that the
+                     // alarm shows
+  CaseText text;     // with the ending that works, and a start that fits the travels
+  std::vector<std::string> events;    // of the case, as JSON, lines counted from its first one; only with samples
+  std::vector<std::string> settings;  // entries it writes to the offset memory: "H1", "D2.wear"
 };
 
-// The events of a run as a kit expects them, a line each.
+// The events of a run in the form of the expected events of a kit, one in each line.
 std::string event_lines(const fuzz::ModelRun& run, const spec::Axes& axes);
 
 class CaseRunner {
  public:
   CaseRunner(const Machine& machine, const Outcomes& outcomes);
 
-  // `text` with its first ending; of the events, `samples` are asked for blocks under tool center point control.
+  // Runs `text` with the first ending that works. The events have `samples` in blocks under tool center point control.
   [[nodiscard]] CaseRun run(const CaseText& text, const Overlay& overlay, const spec::Setup& offsets,
                             std::uint32_t samples = 0) const;
 
-  // Of these outcomes of the case, those that a recording shows: of decisions by sign, where at least one goes this way
-  // and the path would be another by more than twice the tolerance if it went otherwise. A fact, and a clause that is
-  // reached, is shown where it is met: it cannot be made otherwise.
+  // The outcomes among these that a recording of the case shows. The outcome of a decision by sign is shown if there is
+  // at least one such decision after which the path would differ by more than twice the tolerance with another outcome.
+  // A fact, and a clause that is reached, is always shown, because it cannot be forced to another outcome.
   [[nodiscard]] OutcomeSet told_apart(const CaseText& text, const Overlay& overlay, const spec::Setup& offsets,
                                       const OutcomeSet& outcomes, double tolerance) const;
 
@@ -57,7 +58,7 @@ class CaseRunner {
  private:
   CaseRun with_ending(CaseText text, const Overlay& overlay, const spec::Setup& offsets, std::uint32_t samples,
                       bool& ending_fails) const;
-  // Both say why the case is of no use, and fill in the rest.
+  // Both return why the case is of no use, and fill in the rest.
   std::string end_of_case(const fuzz::ModelRun& run, const CaseLines& lines, CaseRun& result, bool& ending_fails) const;
   std::string shown(const fuzz::ModelRun& run, const CaseLines& lines, CaseRun& result) const;
   [[nodiscard]] std::optional<spec::AxisTable> shifted_start(const fuzz::ModelRun& run,
@@ -66,7 +67,7 @@ class CaseRunner {
   const Machine& machine_;
   const Outcomes& outcomes_;
   model::Recorder frame_;         // of the program without a case
-  std::vector<std::string> end_;  // where its axes stand at the end
+  std::vector<std::string> end_;  // positions of its axes at the end
 };
 
 }  // namespace toolcomp::certify::kit

@@ -138,10 +138,10 @@ std::string html(const KitVerdict& verdict) {
   body += facts({{"Kit", "<code>" + escape(verdict.kit.digest) + "</code>, made by " + escape(verdict.kit.tool)},
                  {"Golden corpus", escape(verdict.kit.corpus)},
                  {"Tolerance", plain(verdict.tolerance, 6)},
-                 {"Clause outcomes", fmt::format("{} shown, of {} that the kit can show, of {}", verdict.shown,
+                 {"Clause outcomes", fmt::format("{} shown, of {} that the kit can show, of {} in all", verdict.shown,
                                                  verdict.kit.recorded + verdict.kit.noted, verdict.kit.outcomes)}});
   for (const std::string& stranger : verdict.strangers)
-    body += "<p>A mark of a program that the kit does not have: " + escape(stranger) + "</p>\n";
+    body += "<p>The mark of a program that is not in the kit: " + escape(stranger) + "</p>\n";
   return page("toolcomp kit: certificate", body + programs(verdict) + alarms(verdict));
 }
 

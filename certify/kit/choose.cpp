@@ -90,7 +90,7 @@ void Chooser::prepare(Candidate& candidate) {
       machine_.setup.control == spec::Control::fanuc ? prepare_fanuc(candidate) : prepare_klartext(candidate);
   if (!candidate.why.empty()) return;
   const auto start = start_of(machine_.setup, vector.setup);
-  if (!start) candidate.why = "its start is finer than the increments of the machine";
+  if (!start) candidate.why = "its start position is finer than the least increment of the machine";
   if (!candidate.why.empty()) return;
   candidate.text.start = *start;
   candidate.overlay = overlay_for(machine_.setup, vector.setup);
@@ -104,7 +104,7 @@ std::string Chooser::prepare_fanuc(Candidate& candidate) const {
   if (!screened.why.empty()) return screened.why;
   candidate.text.blocks = std::move(screened.blocks);
   const auto numbers = offsets_for(machine_, *candidate.vector, candidate.text.blocks);
-  if (!numbers) return "an offset cannot be typed in: its digits or its range";
+  if (!numbers) return "an offset has too many digits, or is out of range, for the offset memory";
   candidate.numbers = *numbers;
   candidate.offsets.h = numbers->h;
   candidate.offsets.d = numbers->d;
@@ -125,7 +125,7 @@ void Chooser::leave_out(const WhyNot& why_not) {
   for (Candidate& candidate : candidates_) {
     if (!candidate.why.empty() || !candidate.here.why.empty()) continue;
     if (candidate.here.stop) {
-      candidate.why = "it ends in an alarm, and the control has alarms of its own";
+      candidate.why = "it ends in an alarm, and this control has alarms of its own";
       continue;
     }
     asked.push_back(&candidate);
@@ -205,7 +205,7 @@ void Chooser::cover_with_parameters(bool stopped) {
   std::set<std::size_t> tried;
   std::map<std::size_t, CaseRun> own;  // under the parameters of the vector
   while (!wanted_.empty()) {
-    say(fmt::format("{} outcomes to go, {} settings of parameters", wanted_.size(), choice_.groups.size()));
+    say(fmt::format("{} outcomes left, {} settings of parameters", wanted_.size(), choice_.groups.size()));
     std::size_t best = candidates_.size();
     std::size_t most = 0;
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
@@ -298,11 +298,11 @@ std::string Chooser::why_missing(std::size_t outcome) const {
     if (why.empty())
       why = candidate.here.stop ? "it ends in an alarm, which shows another clause"
             : std::ranges::binary_search(candidate.here.shows, outcome)
-                ? "the positions are the same, whatever is decided"
+                ? "the positions are the same, whatever the decision is"
                 : "it is not reached on this machine";
     ++reasons[why];
   }
-  if (reasons.empty()) return "no vector of these sections reaches it";
+  if (reasons.empty()) return "no golden vector of these sections reaches it";
   std::vector<std::pair<std::string, std::size_t>> list(reasons.begin(), reasons.end());
   sort_by(list, [](const auto& entry) { return SIZE_MAX - entry.second; });  // the commonest first
   std::string text;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The choice: which vectors, under which parameters, show the outcomes.
+// Chooses the vectors that show the outcomes, and their parameters.
 #pragma once
 
 #include <functional>
@@ -16,24 +16,24 @@
 
 namespace toolcomp::certify::kit {
 
-// Why a control cannot run each of these programs; empty where it can.
+// Why a control cannot run each of these programs; empty if it can.
 using WhyNot = std::function<std::vector<std::string>(const std::vector<spec::Case>&)>;
 
-// A vector that was taken, as it goes into a program.
+// A chosen vector, in the form in which it goes into a program.
 struct Chosen {
   const spec::Case* vector = nullptr;
   std::size_t group = 0;
   bool same_machine = false;
   CaseRun run;       // with the numbers of the kit's offsets
-  OutcomeSet shows;  // what it is there for, and what else it was proven to show
+  OutcomeSet shows;  // outcomes for which it was chosen, and others that it is proven to show
 };
 
 struct Choice {
-  std::vector<Overlay> groups;  // the first is empty: the machine as it is
+  std::vector<Overlay> groups;  // the first is empty: the parameters of the machine
   std::vector<Chosen> recorded;
-  std::vector<Chosen> stopped;  // those that end in an alarm
+  std::vector<Chosen> stopped;  // cases that end in an alarm
   OutcomeSet missing;
-  std::map<std::size_t, std::string> why;  // of every missing outcome
+  std::map<std::size_t, std::string> why;  // the reason for every missing outcome
 };
 
 class Chooser {
@@ -41,11 +41,12 @@ class Chooser {
   Chooser(const Machine& machine, const Outcomes& outcomes, const std::vector<corpus::Vector>& vectors,
           std::uint32_t first_offset, double tolerance, std::function<void(const std::string&)> progress);
 
-  // Leaves at home what the control refuses, what ends in an alarm and what needs other parameters.
+  // Leaves out programs that the control refuses, that end in an alarm, or that need other parameters.
   void leave_out(const WhyNot& why_not);
-  // Covers `wanted`: by recordings under the parameters of the machine, then under others, then by alarms.
+  // Covers `wanted`: first by recordings with the parameters of the machine, then with other parameters, then by
+  // alarms.
   Choice choose(OutcomeSet wanted);
-  // The tables that the cases chosen share: H and D, or the tools.
+  // The tables that the chosen cases share: H and D, or the tools.
   [[nodiscard]] const OffsetTable& offsets() const { return table_; }
   [[nodiscard]] const ToolTable& tools() const { return tools_; }
 
@@ -57,10 +58,10 @@ class Chooser {
     CaseOffsets numbers;
     Overlay overlay;
     bool same_machine = false;
-    std::string why;       // refused by its words
-    std::string why_here;  // refused by its run on the machine as it is
+    std::string why;       // why it is refused because of its words
+    std::string why_here;  // why it is refused because of its run with the parameters of the machine
     OutcomeSet at_home;    // reached in the setup of the corpus
-    CaseRun here;          // on the machine as it is
+    CaseRun here;          // run with the parameters of the machine
   };
 
   void prepare(Candidate& candidate);
@@ -87,7 +88,7 @@ class Chooser {
   double tolerance_;
   bool as_it_is_ = false;  // no other parameters
   OutcomeSet wanted_;
-  std::map<std::size_t, int> not_told_;  // of outcomes: in how many cases no path showed them
+  std::map<std::size_t, int> not_told_;  // for each outcome, the number of cases whose path did not show it
   Choice choice_;
 };
 

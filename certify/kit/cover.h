@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The least that shows the most: a greedy cover.
+// A greedy cover: few sets that together contain as many outcomes as possible.
 #pragma once
 
 #include <cstddef>
@@ -18,11 +18,11 @@ OutcomeSet without(const OutcomeSet& from, const OutcomeSet& what);
 OutcomeSet common(const OutcomeSet& a, const OutcomeSet& b);
 OutcomeSet united(const OutcomeSet& a, const OutcomeSet& b);
 
-// Takes one set after another, always one with the most wanted outcomes that none before it has, of several the first,
-// until none brings anything new; the order of the list is the order of preference. A set is a claim: before it is
-// taken, `prove` is given its index and what it would bring, and says what of that is true. Where that is less, the set
-// waits with the rest until its turn comes again. Gives what was taken, in that order; `wanted` keeps what no set has.
-// `take` may still refuse it.
+// Takes one set after another: always one with the largest number of wanted outcomes that no set before it has, the
+// first one if there are several, until no set adds anything. The order of the list is the order of preference. A set
+// is only a claim. Before it is taken, `prove` gets its index and the outcomes that it would add, and returns those
+// that are true. If these are fewer, the set stays in the list with them. Returns the sets taken, in order. `wanted`
+// keeps the outcomes that no set has. `take` may still refuse a set.
 std::vector<std::size_t> greedy_cover(std::vector<OutcomeSet> sets, OutcomeSet& wanted,
                                       const std::function<OutcomeSet(std::size_t, const OutcomeSet&)>& prove,
                                       const std::function<bool(std::size_t)>& take);

@@ -51,7 +51,7 @@ class Judge {
     const std::string most = with_point(verdict_.kit.tolerance);
     if (tolerance.negative || tolerance.is_zero()) throw spec::InputError("--tolerance", 0, 0, "must be positive");
     if (spec::compare(tolerance, verdict_.kit.tolerance) == std::strong_ordering::greater)
-      throw spec::InputError("--tolerance", 0, 0, "the kit tells outcomes apart by no more than " + most);
+      throw spec::InputError("--tolerance", 0, 0, "must be at most the tolerance of the kit, " + most);
     verdict_.tolerance = fuzz::approximate(tolerance);
   }
 
@@ -98,7 +98,7 @@ class Judge {
                                                  program_name(machine.setup.control, number)));
       else if (!found.end_rest)
         verdict_.programs.push_back(
-            {number, ProgramVerdict::missing, file.string(), "its recording has no end", {}, {}});
+            {number, ProgramVerdict::missing, file.string(), "the end of its recording is missing", {}, {}});
       else
         judge(*program, file, SampleRange(recording, rests[found.first_rest].first, rests[*found.end_rest].last + 1));
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings and noted alarms of a kit judged.
+// Judges the recordings and the noted alarms of a kit.
 #pragma once
 
 #include <cstdint>
@@ -18,20 +18,20 @@ struct JudgeKitOptions {
   std::filesystem::path folder;                   // of the kit
   std::vector<std::filesystem::path> recordings;  // files, and folders of .csv files
   std::filesystem::path alarms;                   // the form; empty: that of the kit
-  std::optional<spec::Decimal> tolerance;         // setup units, and degrees; nothing: the kit's
-  bool machine_coordinates = false;               // recordings are of machine coordinates
-  bool rapids_by_axis = false;                    // rapid moves are judged by their ends alone
+  std::optional<spec::Decimal> tolerance;         // setup units, and degrees; std::nullopt: the tolerance of the kit
+  bool machine_coordinates = false;               // the recordings are in machine coordinates
+  bool rapids_by_axis = false;                    // only the ends of rapid moves are judged
 };
 
 enum class ProgramVerdict : std::uint8_t { conforms, differs, undecided, missing };
 
-// One program, once for every time it was recorded; once with `missing` where it never was.
+// One program, once for each of its recordings; once with `missing` if it was never recorded.
 struct JudgedProgram {
   unsigned number = 0;
   ProgramVerdict verdict = ProgramVerdict::missing;
   std::string file;                    // recording
   std::string why;                     // of `missing` and `undecided`
-  TraceResult trace;                   // without what pictures show
+  TraceResult trace;                   // without the data for pictures
   std::vector<std::size_t> cases_off;  // cases with a finding, by index
 };
 
@@ -50,11 +50,11 @@ struct KitVerdict {
   std::size_t shown = 0;               // clause outcomes of cases that conform and of alarms as expected
 };
 
-// Throws spec::InputError for a kit that was changed, recordings or a form that nobody could read, and a tolerance that
+// Throws spec::InputError if the kit was changed, if a recording or the form cannot be read, and for a tolerance that
 // is not positive.
 KitVerdict judge_kit(const JudgeKitOptions& options);
 
-// 1 where something differs; 3 where something is missing or could not be decided; else 0: the certificate is complete.
+// 1 if something differs; 3 if something is missing or could not be decided; otherwise 0: the certificate is complete.
 int exit_status(const KitVerdict& verdict);
 
 // certificate.json and index.html in the folder.

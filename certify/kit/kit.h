@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A kit: what an engineer carries to a machine, as it is written to a folder and read back.
+// A kit: the files that an engineer takes to a machine, as they are written to a folder and read back.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace toolcomp::certify::kit {
 struct KitCase {
   std::string id;  // of the vector
   std::string section;
-  bool same_machine = false;       // the vector's own machine is this one
+  bool same_machine = false;       // whether the machine of the vector is this machine
   CaseLines lines;                 // in the program
   std::vector<std::string> shows;  // clause outcomes, "fanuc.cutter-c.ccn=true"
 };
@@ -29,14 +29,14 @@ struct KitProgram {
   std::string expected;  // "expected/O8001.jsonl"; empty of a program that ends in an alarm
   std::vector<KitCase> cases;
   MarkLines marks;            // of programs to record
-  std::string alarm;          // expected; empty: none
+  std::string alarm;          // expected alarm; empty if none
   std::uint64_t alarm_n = 0;  // sequence number of the block at fault
 };
 
 // Programs that run under the same parameters.
 struct KitGroup {
   Overlay parameters;
-  std::string program;  // that sets them; empty: as on the machine
+  std::string program;  // program that sets them; empty: the parameters of the machine
 };
 
 struct NotCovered {
@@ -51,17 +51,17 @@ struct Kit {
   std::string corpus_hash;
   std::vector<std::string> sections;  // asked for; empty: all
   Machine machine;
-  spec::Decimal tolerance;  // greatest one that recordings may be judged with
+  spec::Decimal tolerance;  // largest tolerance with which recordings may be judged
   std::vector<KitGroup> groups;
   std::vector<KitProgram> programs;
   std::size_t outcomes = 0;         // of these sections
   std::size_t recorded = 0;         // shown by recordings
-  std::size_t noted = 0;            // shown by alarms alone
+  std::size_t noted = 0;            // shown only by alarms
   std::vector<NotCovered> missing;  // all others
   std::string offsets_program;      // "O8000.nc"
-  // Every file of the folder but kit.json, by name, with its text; of a kit that was read, its SHA-256.
+  // Every file of the folder except kit.json: its name and its text, or, in a kit that was read, its SHA-256.
   std::map<std::string, std::string> files;
-  std::string digest;  // of kit.json itself, where the kit was read
+  std::string digest;  // of kit.json itself, if the kit was read
 };
 
 inline constexpr const char* kKitFile = "kit.json";

@@ -85,7 +85,7 @@ Kit read_kit(const std::filesystem::path& folder) {
   for (const auto& [name, digest] : kit.files) {
     const std::string path = (folder / name).string();
     if (name != kAlarmForm && corpus::sha256_file(path) != digest)
-      throw spec::InputError(path, 0, 0, "is not what kit.json says: the kit was changed");
+      throw spec::InputError(path, 0, 0, "differs from kit.json: the kit was changed");
   }
   return kit;
 }

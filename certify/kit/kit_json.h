@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// kit.json: what a kit holds, for `kit judge`.
+// kit.json: the content of a kit, for `kit judge`.
 #pragma once
 
 #include <filesystem>
@@ -9,15 +9,15 @@
 
 namespace toolcomp::certify::kit {
 
-// Stable: the same kit gives the same text. Files are named with their SHA-256.
+// The same kit gives the same text. Files are listed with their SHA-256.
 std::string write_kit(const Kit& kit);
 
-// The text of a kit.json, named `file` in messages; the files it names are not looked at. Throws spec::InputError, with
-// the position of the fault.
+// Reads the text of a kit.json, which has the name `file` in messages. The files that it names are not checked. Throws
+// spec::InputError, with the position of the fault.
 Kit read_kit_json(std::string_view text, const std::string& file);
 
-// Reads FOLDER/kit.json and checks every file of the kit but the alarm form, which is filled in, against its digest.
-// Throws spec::InputError, with the position of the fault, for anything else than a whole kit.
+// Reads FOLDER/kit.json and compares every file of the kit with its digest, except the alarm form, which is filled in.
+// Throws spec::InputError, with the position of the fault, for anything other than a complete kit.
 Kit read_kit(const std::filesystem::path& folder);
 
 }  // namespace toolcomp::certify::kit

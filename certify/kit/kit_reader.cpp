@@ -57,7 +57,7 @@ class KitReader {
   }
   void expect_file_name(spec::document::Position at, const std::string& name) const {
     if (!name.empty() && !bundle::is_plain_name(name))
-      read_.fail(at, spec::document::in_quotes(name) + " is no name of a file in a kit");
+      read_.fail(at, spec::document::in_quotes(name) + " is not a file name that a kit can have");
   }
   std::uint64_t number(const Node& table, std::string_view key) const {
     constexpr std::uint64_t kMost = 1'000'000'000;
@@ -82,7 +82,7 @@ class KitReader {
     read_.expect(read_.needed(node, "parameters"), Kind::table, "parameters");
     for (const auto& member : read_.needed(node, "parameters").members) {
       const auto id = spec::parse_parameter_id(member.name);
-      if (!id) read_.fail(member.at, spec::document::in_quotes(member.name) + " is no parameter");
+      if (!id) read_.fail(member.at, spec::document::in_quotes(member.name) + " is not a parameter");
       group.parameters[*id] = read_.decimal(member.value, member.name);
     }
     return group;
@@ -92,7 +92,7 @@ class KitReader {
     KitProgram program;
     program.number = static_cast<unsigned>(
         read_.integer(read_.needed(node, "number"), "number", kFirstProgram + 1, kFirstProgram + kMostNumber));
-    if (groups == 0) read_.fail(node.at, "a program of no group");
+    if (groups == 0) read_.fail(node.at, "a program without a group");
     program.group = static_cast<std::size_t>(read_.integer(read_.needed(node, "group"), "group", 0, groups - 1));
     program.file = file_name(node, "file");
     program.setup = file_name(node, "setup");
@@ -114,7 +114,7 @@ class KitReader {
 
   MarkLines marks(const Node& node) const {
     const std::vector<Node>& lines = list(node, "mark_lines");
-    if (lines.size() != 3) read_.fail(read_.needed(node, "mark_lines").at, "mark_lines: three lines");
+    if (lines.size() != 3) read_.fail(read_.needed(node, "mark_lines").at, "mark_lines: expected three lines");
     const auto line = [&](std::size_t i) { return read_.integer(lines[i], "mark_lines", 1, 1'000'000); };
     return {line(0), line(1), line(2)};
   }

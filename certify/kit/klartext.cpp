@@ -30,10 +30,10 @@ std::string refuse_functions(const Block& block) {
   const bool may_move = block.statement == Statement::line || block.statement == Statement::line_with_vectors ||
                         block.statement == Statement::stop || block.statement == Statement::miscellaneous;
   if (!may_move) return {};
-  if (block.statement == Statement::stop) return "a stop inside would look like a mark";
+  if (block.statement == Statement::stop) return "a stop inside it would look like a mark";
   for (std::size_t i = 0; i < block.functions; ++i)
     if (std::ranges::find(kFunctions, block.function.at(i)) == kFunctions.end())
-      return "M functions may start what a bare machine must not do";
+      return "M functions may start something that is not safe on an empty machine";
   return {};
 }
 
@@ -42,10 +42,10 @@ std::string refuse_feed(const Block& block) {
   const bool has_feed = block.statement == Statement::line || block.statement == Statement::line_with_vectors ||
                         block.statement == Statement::tool_call;
   if (!has_feed || block.feed == none || block.feed == f_max) return {};
-  if (block.feed != f) return "a feed of a tooth, of a turn, or of the tool call";
+  if (block.feed != f) return "a feed per tooth or per revolution, or the feed of the tool call";
   const spec::Decimal& value = block.feed_value.number;
   const spec::Decimal most = spec::decimal(10000);
-  if (block.feed_value.parameter.kind != spec::klartext::ParameterKind::none) return "a feed by parameter";
+  if (block.feed_value.parameter.kind != spec::klartext::ParameterKind::none) return "a feed given by a parameter";
   const bool fits = !value.negative && !value.is_zero() && spec::compare(value, most) != std::strong_ordering::greater;
   return fits ? "" : "a feed of 0 or below, or above 10000";
 }
@@ -58,7 +58,7 @@ std::string refuse_rotary(const Machine& machine, const Block& block) {
     if (!block.has_axis(slot) || !spec::is_rotary_axis(axis)) continue;
     const spec::klartext::Value& value = block.axis.at(slot);
     if (block.is_incremental(slot) || value.parameter.kind != spec::klartext::ParameterKind::none)
-      return "a rotary axis goes by a travel or a parameter";
+      return "a rotary axis moves by an increment or by a parameter";
     const auto travel = machine.travels.find(axis);
     const bool inside = travel != machine.travels.end() &&
                         spec::compare(value.number, travel->second.least) != std::strong_ordering::less &&
@@ -73,25 +73,25 @@ std::string refuse(const Machine& machine, const Block& block) {
   switch (block.statement) {
     case Statement::begin_program:
     case Statement::end_program:
-      return block.unit == machine.setup.units ? "" : "a program in other units";
+      return block.unit == machine.setup.units ? "" : "a program in units other than those of the machine";
     case Statement::tool_definition:
-      return "TOOL DEF writes a tool of its own";
+      return "TOOL DEF defines its own tool";
     case Statement::select_corrections:
     case Statement::correction_row:
       return "compensation tables are not part of a kit";
     case Statement::plane:
-      return "PLANE turns the working plane";
+      return "PLANE tilts the working plane";
     case Statement::cycle:
       if (block.cycle != 7) return "a cycle other than the datum shift";
       break;
     case Statement::tool_call:
-      if (block.tool == spec::klartext::ToolWord::string_parameter) return "a tool by string parameter";
+      if (block.tool == spec::klartext::ToolWord::string_parameter) return "a tool given by a string parameter";
       break;
     default:
       break;
   }
   if ((block.statement == Statement::line || block.statement == Statement::line_with_vectors) && block.many_digits)
-    return "more digits than the control takes";
+    return "more digits than the control accepts";
   if (std::string why = refuse_functions(block); !why.empty()) return why;
   if (std::string why = refuse_rotary(machine, block); !why.empty()) return why;
   return refuse_feed(block);
@@ -129,8 +129,8 @@ bool alike(spec::ToolRow a, const spec::ToolRow& b) {
 
 ScreenedKlartext screen_klartext(const Machine& machine, const spec::Case& vector) {
   if (std::ranges::find(vector.flags, "generated-unrestricted") != vector.flags.end())
-    return {{}, "its words are made at random"};
-  if (vector.program.find('/') != std::string::npos) return {{}, "block skip is a switch of the panel"};
+    return {{}, "its words are random"};
+  if (vector.program.find('/') != std::string::npos) return {{}, "it depends on the block skip switch of the panel"};
   const bool deviations =
       std::ranges::any_of(vector.setup.tools, [](const spec::ToolRow& tool) { return !tool.dr2_table.empty(); });
   if (deviations) return {{}, "a tool with a table of deviations"};
@@ -149,13 +149,14 @@ ScreenedKlartext screen_klartext(const Machine& machine, const spec::Case& vecto
                          block.statement == Statement::block_form;
       if (!frame) screened.statements.push_back(block);
     }
-    if (!begins && vector.setup.units != machine.setup.units) return {{}, "a program in other units"};
+    if (!begins && vector.setup.units != machine.setup.units)
+      return {{}, "a program in units other than those of the machine"};
   } catch (const spec::InputError& error) {
-    return {{}, "no text: " + error.message()};
+    return {{}, "its text cannot be read: " + error.message()};
   }
   Statements& statements = screened.statements;
   while (!statements.empty() && only_ends(statements.back())) statements.pop_back();
-  if (std::ranges::any_of(statements, only_ends)) return {{}, "it ends inside"};
+  if (std::ranges::any_of(statements, only_ends)) return {{}, "it ends before its last block"};
   if (statements.empty()) return {{}, "it has no block"};
   return screened;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Klartext side of a kit: which vectors go to the machine, the tools they share, the words around them.
+// The Klartext side of a kit: the vectors that may go to the machine, the tools that they share, the words around them.
 #pragma once
 
 #include <optional>
@@ -16,13 +16,13 @@ using Statements = std::vector<spec::klartext::Block>;
 
 struct ScreenedKlartext {
   Statements statements;  // without BEGIN PGM, BLK FORM, END PGM, block numbers, and M2 or M30 at the end
-  std::string why;        // why it stays at home; empty: it may go
+  std::string why;        // why it is left out; empty if it may be used
 };
 
-// Refuses what a bare machine must not do (M functions but M107, M108, M128, M129; feeds of a tooth or a turn), what
-// leaves traces or needs more than the tool table (PLANE, cycles but the datum shift, rows of compensation tables,
-// tools with a table of deviations), and what a control does not take: other units, too many digits, what cannot be
-// read.
+// Refuses programs that are not safe on an empty machine (M functions other than M107, M108, M128, M129; feeds per
+// tooth or per revolution), programs that leave traces or need more than the tool table (PLANE, cycles other than the
+// datum shift, rows of compensation tables, tools with a table of deviations), and programs that a control does not
+// accept: other units, too many digits, blocks that cannot be read.
 ScreenedKlartext screen_klartext(const Machine& machine, const spec::Case& vector);
 
 // The one tool table that all cases of a kit share.
@@ -31,8 +31,9 @@ class ToolTable {
   // Numbers from `first` on are used.
   explicit ToolTable(std::uint32_t first) : first_(first) {}
 
-  // Gives every tool that the statements call a number of the table with the same row, and calls it by that; another
-  // one for each row of the case. A tool that the case does not have stays as it is, beyond the table.
+  // Gives every tool that the statements call a number of the table with the same row, a different number for each row
+  // of the case, and rewrites the calls. A tool that the case does not have keeps its number, which is outside the
+  // table.
   bool take(const std::vector<spec::ToolRow>& tools, Statements& statements);
   [[nodiscard]] const std::vector<spec::ToolRow>& rows() const { return rows_; }
 
@@ -41,10 +42,10 @@ class ToolTable {
   std::vector<spec::ToolRow> rows_;
 };
 
-// A statement as a control reads it.
+// The statement as text for a control.
 std::string klartext_of(const spec::klartext::Block& statement);
 
-// The table as TOOL.T of a control holds it.
+// The table in the form of TOOL.T of a control.
 std::string tool_file(const std::vector<spec::ToolRow>& rows);
 
 }  // namespace toolcomp::certify::kit

@@ -111,15 +111,15 @@ void add_travel(Machine& machine, std::string_view text) {
   const std::size_t equals = text.find('=');
   const std::size_t comma = text.find(',');
   if (equals != 1 || comma == std::string_view::npos || comma < equals)
-    refuse(text, "a travel is AXIS=LEAST,GREATEST, as in X=-300,300");
+    refuse(text, "expected AXIS=LEAST,GREATEST, as in X=-300,300");
   const char axis = text[0];
   const auto least = spec::parse_decimal(text.substr(equals + 1, comma - equals - 1));
   const auto greatest = spec::parse_decimal(text.substr(comma + 1));
-  if (!least || !greatest) refuse(text, "a travel is two decimal numbers");
+  if (!least || !greatest) refuse(text, "expected two decimal numbers");
   if (!machine.setup.axes.has(axis)) refuse(text, std::string("the setup has no axis ") + axis);
   if (spec::compare(*least, *greatest) != std::strong_ordering::less)
-    refuse(text, "the least is not below the greatest");
-  if (!machine.travels.try_emplace(axis, Travel{*least, *greatest}).second) refuse(text, "the axis was given before");
+    refuse(text, "the least must be below the greatest");
+  if (!machine.travels.try_emplace(axis, Travel{*least, *greatest}).second) refuse(text, "the axis is given twice");
 }
 
 void expect_whole(const Machine& machine) {
@@ -130,13 +130,13 @@ void expect_whole(const Machine& machine) {
     if (travel == machine.travels.end())
       throw spec::InputError(
           "--travel", 0, 0,
-          fmt::format("axis {0} has no travel: --travel {0}=LEAST,GREATEST, machine coordinates", axis));
+          fmt::format("axis {0} has no travel; give --travel {0}=LEAST,GREATEST in machine coordinates", axis));
     const double place = value_in(machine.setup.position, axis) + value_in(machine.setup.workpiece[0], axis);
     const double room = axis == mark_axis(machine) ? 1 : 0;
     if (place < fuzz::approximate(travel->second.least) || place + room > fuzz::approximate(travel->second.greatest))
       throw spec::InputError("--travel", 0, 0,
-                             fmt::format("axis {}: the place of the marks ([position] of the setup) is at {:g} of the "
-                                         "machine, with room of 1 in + direction outside the travel",
+                             fmt::format("axis {}: the place of the marks ([position] of the setup), {:g} in machine "
+                                         "coordinates, with 1 of room in the + direction, is outside the travel",
                                          axis, place));
   }
   if (!linear) throw spec::InputError("--setup", 0, 0, "the setup has no linear axis");

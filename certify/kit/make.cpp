@@ -148,7 +148,7 @@ class Maker {
       bundle.push_back(chosen);
     }
     close();
-    if (number > kFirstStopped) throw std::runtime_error("a kit with too many programs: ask for fewer sections");
+    if (number > kFirstStopped) throw std::runtime_error("the kit has too many programs; ask for fewer sections");
   }
 
   [[nodiscard]] bool independent(unsigned number, const std::vector<const Chosen*>& bundle) const {
@@ -186,7 +186,7 @@ class Maker {
   void add_stopped() {
     unsigned number = kFirstStopped;
     for (const Chosen* chosen : in_order(choice_.stopped)) add_program(number++, ProgramKind::stopped, {chosen});
-    if (number > kFirstParameters) throw std::runtime_error("a kit with too many alarms: ask for fewer sections");
+    if (number > kFirstParameters) throw std::runtime_error("the kit has too many alarms; ask for fewer sections");
   }
 
   void add_program(unsigned number, ProgramKind kind, const std::vector<const Chosen*>& bundle) {
@@ -221,7 +221,7 @@ class Maker {
     if (trial.verdict.outcome == fuzz::Outcome::differs)
       throw std::runtime_error(name + ": the engines differ: " + fuzz::explain(*trial.verdict.difference));
     if (const Chosen* const different = different_case(trial.run, bundle, program))
-      throw std::runtime_error(name + ": " + different->vector->id + " does something else than alone");
+      throw std::runtime_error(name + ": " + different->vector->id + " does not do here what it does alone");
     if (std::string why = outside_travels(options_.machine, trial.run.events); !why.empty())
       throw std::runtime_error(name + ": outside the travels: " + why);
     return fuzz::run_model(case_of(program, bundle, 0));
@@ -262,7 +262,7 @@ Kit make(const MakeOptions& options) {
   if (options.machine.setup.control == spec::Control::fanuc)
     for (corpus::Vector& vector : generated_vectors(options)) vectors.push_back(std::move(vector));
   if (vectors.empty())
-    throw spec::InputError("--section", 0, 0, fmt::format("no vector of these sections is for {}", control));
+    throw spec::InputError("--section", 0, 0, fmt::format("no golden vector of these sections is for {}", control));
   Outcomes outcomes;
   const OutcomeSet wanted = outcomes.of_sections(options.sections, control);
   Chooser chooser(options.machine, outcomes, vectors, options.first_offset, fuzz::approximate(options.tolerance),

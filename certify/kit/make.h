@@ -17,21 +17,21 @@ struct MakeOptions {
   Machine machine;
   std::vector<std::string> sections;  // empty: all of the dialect
   std::filesystem::path corpus;
-  std::uint32_t generated = 0;     // so many programs made for this machine are candidates besides (machine_program())
-  std::uint64_t seed = 1;          // of these
+  std::uint32_t generated = 0;     // number of generated programs as further candidates (machine_program())
+  std::uint64_t seed = 1;          // seed of these programs
   std::uint32_t first_offset = 1;  // offset numbers from here on are used
-  // Positions of recordings are judged with no more than this, in the units of the setup and in degrees: what moves a
-  // path by less shows nothing.
+  // The largest tolerance for judging recordings, in the units of the setup and in degrees. An outcome that moves a
+  // path by less is not shown.
   spec::Decimal tolerance{5, 2, false, false};
   std::size_t cases_a_program = 12;
-  // Of a control that says beforehand why it cannot run a program, or is known to run it otherwise; empty where it can.
-  // For such a control parameters stay as they are, and no program is made to end in an alarm.
+  // For a control that can say in advance why it cannot run a program, or which known difference it has; empty text if
+  // it can run it. For such a control the kit changes no parameters, and has no program that ends in an alarm.
   WhyNot why_not;
   std::function<void(const std::string&)> progress;  // what is being done
 };
 
-// The same options and the same corpus give the same kit. Throws spec::InputError for options that nothing can be made
-// of, std::runtime_error where the engines do not agree on a program of the kit.
+// The same options and the same corpus give the same kit. Throws spec::InputError for options from which no kit can be
+// made, std::runtime_error if the engines do not agree on a program of the kit.
 Kit make(const MakeOptions& options);
 
 }  // namespace toolcomp::certify::kit

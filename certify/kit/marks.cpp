@@ -38,7 +38,7 @@ std::optional<unsigned> mark_at(std::span<const Sign> signs, std::size_t begin) 
 }  // namespace
 
 std::array<unsigned, kDigits> digits_of(unsigned number) {
-  if (number > kMostNumber) throw std::logic_error("a kit has too many programs");
+  if (number > kMostNumber) throw std::logic_error("the kit has too many programs");
   std::array<unsigned, kDigits> digits{};
   for (std::size_t i = kDigits - 1; i-- > 0; number /= kBase) digits.at(i) = number % kBase;
   unsigned check = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one table of offsets that all cases of a kit share, and the numbers that their programs have in it.
+// The table of offsets that all cases of a kit share, and the numbers of their programs in it.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +16,12 @@ namespace toolcomp::certify::kit {
 
 // The offsets of a case as a control of this memory reads them, by the numbers of the case.
 struct CaseOffsets {
-  std::map<std::uint32_t, spec::OffsetEntry> h, d;  // every number that its program names; 0 and those beyond are not
+  std::map<std::uint32_t, spec::OffsetEntry> h,
+      d;  // the numbers its program names, except 0 and those beyond the memory
 };
 
-// Those of the vector for this machine: with memory A geometry and wear in one value; a number that only one table of a
-// vector with memory A or B gives counts for both. Nothing where an entry cannot be typed in.
+// The offsets of the vector for this machine. With memory A, geometry and wear are one value. A number that only one
+// table of a vector with memory A or B gives counts for both. std::nullopt if an entry cannot be typed into the memory.
 std::optional<CaseOffsets> offsets_for(const Machine& machine, const spec::Case& vector,
                                        const std::vector<spec::Block>& blocks);
 
@@ -29,14 +30,14 @@ class OffsetTable {
   // Numbers from `first` on are used.
   OffsetTable(const Machine& machine, std::uint32_t first);
 
-  // Gives every number of the case a number of the table whose entry has its value, another one for each number of the
-  // case, and rewrites H, D and the P of G10 in the blocks. False, with nothing changed, where the table is full or a
-  // G10 of memory A or B writes a number that H and D read differently.
+  // Gives every number of the case a number of the table whose entry has its value, a different one for each number of
+  // the case, and rewrites H, D and the P of G10 in the blocks. False, with nothing changed, if the table is full, or
+  // if a G10 of memory A or B writes a number that H and D read differently.
   bool take(const CaseOffsets& offsets, std::vector<spec::Block>& blocks);
 
   [[nodiscard]] const std::map<std::uint32_t, spec::OffsetEntry>& h() const { return h_; }
   [[nodiscard]] const std::map<std::uint32_t, spec::OffsetEntry>& d() const { return separate_ ? d_ : h_; }
-  // Of memory C: H and D have tables of their own.
+  // Memory C: H and D have separate tables.
   [[nodiscard]] bool separate() const { return separate_; }
 
  private:
@@ -55,7 +56,7 @@ class OffsetTable {
 spec::Setup with_offsets(spec::Setup machine, const std::map<std::uint32_t, spec::OffsetEntry>& h,
                          const std::map<std::uint32_t, spec::OffsetEntry>& d);
 
-// Of decimals as offsets and places have them, exactly.
+// The exact sum of decimals, such as offsets and positions have.
 spec::Decimal sum(const spec::Decimal& a, const spec::Decimal& b);
 
 // The number with a point, as a control reads it whatever 3401#0 is: "-4.", "0.5".

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Outcomes of clauses by index: what a run reaches, and which of them a kit is asked for.
+// Outcomes of clauses by index: the outcomes that a run reaches, and those that a kit must show.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace toolcomp::certify::kit {
 
-// An index counts through spec::required_outcomes.
+// An index is a position in spec::required_outcomes.
 class Outcomes {
  public:
   Outcomes();
@@ -23,17 +23,18 @@ class Outcomes {
   [[nodiscard]] std::string_view text(std::size_t outcome) const { return all_[outcome].text; }
   [[nodiscard]] spec::Clause clause(std::size_t outcome) const { return all_[outcome].clause; }
 
-  // The sign that the outcome of a decision by sign is; nothing for facts and clauses that are reached.
+  // The sign of an outcome of a decision by sign; std::nullopt for facts, and for clauses that are only reached.
   [[nodiscard]] std::optional<exact::Sign> sign(std::size_t outcome) const;
 
-  // Those of the clauses of these sections, and of what all sections of the dialect share, which no vectors are for.
+  // The outcomes of the clauses of these sections, and of the clauses that all sections of the dialect share, which
+  // have no vectors of their own.
   [[nodiscard]] OutcomeSet of_sections(const std::vector<std::string>& sections, std::string_view dialect) const;
 
-  // What the run reached more often than `frame` did, a run of the same program without its cases.
+  // The outcomes that the run reached more often than `frame`, a run of the same program without its cases.
   [[nodiscard]] OutcomeSet reached(const model::Recorder& run, const model::Recorder* frame = nullptr) const;
 
-  // What an alarm of the run shows: of the clauses that its event rests on, facts as true, and of decisions by sign the
-  // outcome where the run had but one.
+  // The outcomes that an alarm of the run shows. Of the clauses that its event rests on, these are: true for facts,
+  // and, for decisions by sign, the outcome if the run had only one.
   [[nodiscard]] OutcomeSet shown_by_alarm(const model::Recorder& run, const spec::ClauseList& clauses) const;
 
  private:

@@ -18,7 +18,7 @@ struct Range {
 constexpr std::array kLeftAlone = {
     Range{1260, 1260, "no position depends on it"},
     Range{1403, 1403, "no position depends on it"},
-    Range{3401, 3401, "it changes how every program of the machine is read"},
+    Range{3401, 3401, "it changes how the machine reads every program"},
     Range{6241, 6254, "it belongs to the machine's probe"},
     Range{19610, 19623, "it describes the machine's kinematics"},
     Range{19666, 19666, "it describes the machine's tool holder"},

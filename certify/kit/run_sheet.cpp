@@ -65,18 +65,19 @@ std::string columns(const spec::Setup& setup) {
 std::string preparation_fanuc(const Kit& kit) {
   const spec::Setup& setup = kit.machine.setup;
   std::string html =
-      check("Save parameters, offsets and work zero points: the kit overwrites offsets, and some parameters.");
+      check("Save parameters, offsets and work zero points. The kit overwrites offsets and some parameters.");
   html += check("Set the workpiece system <b>G54</b> to the machine position " +
                 code(place_words(setup, setup.workpiece[0])) + " and the external and shared shifts to 0.");
   html +=
       check("All programs begin and end at " + code(place_words(setup, setup.position)) + " of G54. Go there by hand.");
   html += check(
-      "Block skip OFF, so that <code>/G80 G69</code> is executed. If the control has no G69 and raises an "
-      "alarm there: block skip ON, and see to it that no canned cycle, rotation or scaling is in force.");
+      "Block skip OFF, so that <code>/G80 G69</code> is executed. If the control has no G69 and raises an alarm there, "
+      "switch block skip ON, and make sure that no canned cycle, rotation or scaling is in force.");
   html += check(
-      "Rapid traverse in straight lines (1401#1 = 1), or the recordings are judged with "
+      "Rapid traverse in straight lines (1401#1 = 1). If this is not possible, judge the recordings with "
       "<code>--rapids-by-axis</code>.");
-  html += check("Enter the offsets: run " + code(kit.offsets_program) + ", or type in the list below. Compare.");
+  html += check("Enter the offsets: run " + code(kit.offsets_program) +
+                ", or type in the list below. Then compare the offsets with the list.");
   return html;
 }
 
@@ -84,13 +85,13 @@ std::string preparation_klartext(const Kit& kit) {
   const spec::Setup& setup = kit.machine.setup;
   std::string html = check("Save tool table and presets.");
   html += check(
-      "Set the preset so that the travels below, of the tool's tip in its coordinates, are free, with room for "
-      "what the head adds when it turns: the kit does not know the machine's kinematics, nor where tool "
-      "vectors under TCPM put the rotary axes.");
+      "Set the preset so that the travels below are free. They are travels of the tool tip in the coordinates of the "
+      "preset. Leave room for the movement of the head when it turns: the kit does not know the kinematics of the "
+      "machine, nor the rotary positions that tool vectors give under TCPM.");
   html += check("All programs begin and end at " + code(place_words(setup, setup.position)) + ". Go there by hand.");
-  html += check("Take over the tools of " + code("tool.t") +
-                ", or type in the list below. The tools are not there: TOOL "
-                "CALL must not fetch them (manual tools, or a programming station).");
+  html += check("Copy the tools from " + code("tool.t") +
+                ", or type in the list below. These tools do not exist: TOOL CALL must not fetch them (use manual "
+                "tools, or a programming station).");
   return html;
 }
 
@@ -99,11 +100,11 @@ std::string preparation(const Kit& kit) {
   html +=
       check("Nothing on the table, no tool in the spindle, nothing in the way of any axis inside the travels below.");
   html += check("Spindle and coolant off. No program of the kit starts them.");
-  html += check("The control is as the list of the machine says (at the end).");
+  html += check("Compare the control with the list at the end, " The machine ".");
   html += is_klartext(kit) ? preparation_klartext(kit) : preparation_fanuc(kit);
   html += check("Single block OFF, dry run OFF, mirror image OFF, feed override 100 %, rapid override low.");
-  html += check("Record the positions of the axes with a time column (seconds), every 20 ms or oftener, as CSV: " +
-                columns(kit.machine.setup) + ". Several programs a file, any order.");
+  html += check("Record the positions of the axes with a time column (seconds), every 20 ms or more often, as CSV: " +
+                columns(kit.machine.setup) + ". A file may hold several programs, in any order.");
   return html + "</ul>\n";
 }
 
@@ -111,8 +112,8 @@ std::string travels(const Kit& kit) {
   std::vector<Row> rows{{"Axis", "Least", "Greatest"}};
   for (const auto& [axis, travel] : kit.machine.travels)
     rows.push_back({std::string(1, axis), spec::to_string(travel.least), spec::to_string(travel.greatest)});
-  return "<h2>Travels</h2>\n<p>" + std::string(is_klartext(kit) ? "Of the tool's tip." : "Machine coordinates.") +
-         " By the model no program leaves them.</p>\n" + table(rows, 1);
+  return "<h2>Travels</h2>\n<p>" + std::string(is_klartext(kit) ? "Travels of the tool tip." : "Machine coordinates.") +
+         " In the model no program leaves them.</p>\n" + table(rows, 1);
 }
 
 std::string tools(const Kit& kit) {
@@ -154,11 +155,11 @@ std::string program_rows(const Kit& kit, std::size_t group) {
   std::string html;
   if (recorded.size() > 1) html += "<h3>To record</h3>\n" + table(recorded);
   if (stopped.size() > 1)
-    html +=
-        "<h3>To note</h3>\n<p>Each stops in an alarm. Note number and block in " + code(kAlarmForm) +
-        " (NONE where it ends without), then RESET. Hand on feed hold: a control that raises no alarm goes on to the "
-        "end of the program.</p>\n" +
-        table(stopped);
+    html += "<h3>To note</h3>\n<p>Each program stops in an alarm. Note the number and the block in " +
+            code(kAlarmForm) +
+            " (NONE if it ends without an alarm), then press RESET. Keep a hand on feed hold: a control that raises no "
+            "alarm runs on to the end of the program.</p>\n" +
+            table(stopped);
   return html;
 }
 
@@ -172,8 +173,8 @@ std::string groups(const Kit& kit) {
       for (const auto& [id, value] : group.parameters)
         rows.push_back({spec::to_string(id), spec::to_string(value),
                         spec::to_string(value_in_force(kit.machine.setup, id)), std::string(kBox), std::string(kBox)});
-      html += "<p>Set these, by " + code(group.program) +
-              " where it can, else by hand; behind this part set them back.</p>\n" + table(rows, 1);
+      html += "<p>Set these parameters with " + code(group.program) +
+              ", or by hand if the program cannot set them. After this part set them back.</p>\n" + table(rows, 1);
     }
     html += program_rows(kit, i);
   }
@@ -188,10 +189,10 @@ std::string machine_list(const Kit& kit) {
   const spec::Setup& setup = kit.machine.setup;
   add("axes", setup.axes.letters());
   add("units", setup.units == spec::Units::inch ? "inch" : "mm");
-  if (!is_klartext(kit)) add("digits behind the point", std::to_string(decimals_of(setup, true)));
+  if (!is_klartext(kit)) add("digits after the point", std::to_string(decimals_of(setup, true)));
   for (const auto& [id, value] : setup.parameters) add(spec::to_string(id), spec::to_string(value));
-  return "<h2>The machine</h2>\n<p>What the control must have. Nothing of it is changed but what a part above "
-         "says.</p>\n" +
+  return "<h2>The machine</h2>\n<p>The control must have these values. The kit changes only what a part above "
+         "names.</p>\n" +
          table(rows);
 }
 
@@ -205,9 +206,9 @@ std::string missing(const Kit& kit) {
 
 std::string marks() {
   return fmt::format(
-      "<h2>Marks</h2>\n<p>A program begins with {} rests of {} to {} s, its number; a case ends with one of {} s, the "
-      "program with one of {} s. <code>kit judge</code> finds programs and cases by them, so do not stop in "
-      "between.</p>\n",
+      "<h2>Marks</h2>\n<p>A program begins with {} rests of {} to {} s, which give its number. A case ends with a rest "
+      "of {} s, the program with a rest of {} s. <code>kit judge</code> finds programs and cases by these rests, so do "
+      "not stop a program in between.</p>\n",
       kDigits, digit_length(0) / 1000.0, digit_length(kBase - 1) / 1000.0, kCaseEnd / 1000.0, kProgramEnd / 1000.0);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The run sheet of a kit: what to set, to check and to record, and what each program shows.
+// The run sheet of a kit: what to set, what to check, what to record, and what each program shows.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace toolcomp::certify::kit {
 
-// An HTML page of its own that prints well.
+// A self-contained HTML page, made for printing.
 std::string write_run_sheet(const Kit& kit);
 
 }  // namespace toolcomp::certify::kit

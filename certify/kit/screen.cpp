@@ -48,29 +48,29 @@ std::string refuse_code(const Machine& machine, const spec::Block& block, std::u
     const bool same = (code == kInch) == (setup.units == spec::Units::inch);
     return same ? "" : g(code) + " changes the units of the control";
   }
-  if (code == kReturn && !setup.reference.contains(1)) return "the setup does not say where reference position 1 is";
+  if (code == kReturn && !setup.reference.contains(1)) return "the setup does not give reference position 1";
   if (code == kSecondReturn) {
     const spec::Word* const p = find(block, 'P');
     const int number = p != nullptr ? static_cast<int>(std::min<std::uint64_t>(p->value.digits, 9)) : 2;
     if (number >= 1 && number <= 4 && !setup.reference.contains(number))
-      return "the setup does not say where reference position " + std::to_string(number) + " is";
+      return "the setup does not give reference position " + std::to_string(number) + " is";
   }
   if (code == kFloatingReturn)
-    return setup.floating_reference.empty() ? "the setup does not say where the floating reference position is" : "";
+    return setup.floating_reference.empty() ? "the setup does not give the floating reference position" : "";
   if (code == kMeasure && setup.measurement.empty()) return "the setup has no measuring signal ([measurement])";
   if (code == 100) {
     const spec::Word* const l = find(block, 'L');
     const bool offsets = l != nullptr && l->value.is_integer() &&
                          (l->value.digits == 1 || (l->value.digits >= 10 && l->value.digits <= 13));
-    if (!offsets) return "G10 without L1 or L10 to L13 may enter anything";
+    if (!offsets) return "G10 without L1 or L10 to L13 may write anything";
   }
   // It is G54.1 then.
-  if (code == 540 && find(block, 'P') != nullptr) return "G54 with P: other workpiece systems are the user's";
+  if (code == 540 && find(block, 'P') != nullptr) return "G54 with P: the other workpiece systems belong to the user";
   if (std::ranges::find(kCodes, code) != kCodes.end()) return {};
-  if (code >= 550 && code <= 590) return g(code) + ": other workpiece systems are the user's";
-  if (code == 40) return "a dwell inside would look like a mark";
+  if (code >= 550 && code <= 590) return g(code) + ": the other workpiece systems belong to the user";
+  if (code == 40) return "a dwell inside it would look like a mark";
   if (code == 920) return "G92 leaves the coordinates shifted";
-  return g(code) + " may be known to the control, though not to the model";
+  return g(code) + " may have a meaning in the control, and has none in the model";
 }
 
 std::string refuse_feed(const spec::Setup& setup, const spec::Decimal& value) {
@@ -83,9 +83,9 @@ std::string refuse_number(const Machine& machine, const spec::Word& word) {
   constexpr std::uint64_t kMostDigits = 99'999'999;  // eight
   const bool rotary = spec::is_rotary_axis(word.address) || word.address == 'Q';
   if (std::string_view("FGHDPNL").find(word.address) != std::string_view::npos) return {};
-  if (word.value.digits > kMostDigits) return "a number of more than eight digits";
+  if (word.value.digits > kMostDigits) return "a number with more than eight digits";
   if (!is_enterable(word.value, decimals_of(machine.setup, !rotary)))
-    return "a number finer than the increments of the machine";
+    return "a number finer than the least increment of the machine";
   return {};
 }
 
@@ -94,16 +94,16 @@ std::string refuse_word(const Machine& machine, const spec::Block& block, const 
     case 'M':
     case 'S':
     case 'T':
-      return std::string(1, word.address) + " words may start what a bare machine must not do";
+      return std::string(1, word.address) + " words may start something that is not safe on an empty machine";
     case 'O':
-      return "a program number inside";
+      return "a program number inside it";
     case 'L':
       return find(block, 'G') == nullptr ? "L words may repeat a block" : "";
     case 'F':
       return refuse_feed(machine.setup, word.value);
     case 'G':
       if (const auto code = code_of(word)) return refuse_code(machine, block, *code);
-      return "a G code that is none";
+      return "a G code that does not exist";
     default:
       return refuse_number(machine, word);
   }
@@ -159,13 +159,13 @@ bool fits_memory(const spec::Setup& setup, const spec::OffsetEntry& entry) {
 
 Screened screen(const Machine& machine, const spec::Case& vector) {
   if (std::ranges::find(vector.flags, "generated-unrestricted") != vector.flags.end())
-    return {{}, "its words are made at random"};
-  if (vector.program.find('/') != std::string::npos) return {{}, "block skip is a switch of the panel"};
+    return {{}, "its words are random"};
+  if (vector.program.find('/') != std::string::npos) return {{}, "it depends on the block skip switch of the panel"};
   Screened screened;
   try {
     screened.blocks = read_blocks(vector, machine.setup.axes);
   } catch (const spec::InputError& error) {
-    return {{}, "no text: " + error.message()};
+    return {{}, "its text cannot be read: " + error.message()};
   }
   while (!screened.blocks.empty() && only_ends(screened.blocks.back())) screened.blocks.pop_back();
   if (screened.blocks.empty()) return {{}, "it has no block"};

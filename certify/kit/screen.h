@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which vectors could be run on a machine at all: what their words say.
+// Decides by their words which vectors could be run on a machine at all.
 #pragma once
 
 #include <string>
@@ -12,18 +12,18 @@
 namespace toolcomp::certify::kit {
 
 struct Screened {
-  std::vector<spec::Block> blocks;  // as they go to the machine: without comments, and without M02 or M30 at the end
-  std::string why;                  // why it stays at home; empty: it may go
+  std::vector<spec::Block> blocks;  // for the machine: without comments, and without M02 or M30 at the end
+  std::string why;                  // why it is left out; empty if it may be used
 };
 
-// Refuses, with the reason, what no kit sends to a machine: spindle, coolant and all other M, S and T words; words made
-// at random; numbers finer than the machine's increments; codes that leave traces (G20 or G21, G92, other workpiece
-// systems); references, probes and feeds that the machine does not have.
+// Refuses, with the reason, programs that no kit sends to a machine: with spindle, coolant or any other M, S or T word;
+// with random words; with numbers finer than the least increment of the machine; with codes that leave traces (G20 or
+// G21, G92, other workpiece systems); with reference positions, probes and feeds that the machine does not have.
 Screened screen(const Machine& machine, const spec::Case& vector);
 
-// Digits behind the point that the machine's increment system has, of lengths in its units or of degrees.
+// The number of digits after the point in the increment system of the machine, for lengths in its units or for degrees.
 int decimals_of(const spec::Setup& setup, bool length);
-// Whether the decimal has no more digits behind the point than that, trailing zeros aside.
+// Whether the decimal, without trailing zeros, has at most this number of digits after the point.
 bool is_enterable(const spec::Decimal& value, int decimals);
 
 // Whether an entry can be typed into the offset memory: its digits, and the ranges of fanuc.memory.g10-range.

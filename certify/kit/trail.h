@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way of a run, for telling two runs apart.
+// The path of a run, for distinguishing two runs.
 #pragma once
 
 #include <span>
@@ -10,14 +10,14 @@
 
 namespace toolcomp::certify::kit {
 
-// The corners of the way of the axes, arcs in eight parts; nothing stands twice in a row, and no corner on the straight
-// line between those beside it, but for `tolerance`.
+// The corners of the path of the axes, with arcs in eight parts. No corner comes twice in a row, and no corner is on
+// the straight line between its neighbours, within `tolerance`.
 class Trail {
  public:
   Trail(std::span<const model::Event> events, double tolerance);
 
-  // Whether a recording judged with the tolerance agrees with one way alone: they have different corners, or one that
-  // is more than two tolerances away.
+  // Whether a recording judged with the tolerance can agree with only one of the two paths: they have different
+  // corners, or a corner of one is more than two tolerances away from the other.
   [[nodiscard]] bool differs(const Trail& other) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program that the model runs as far as it is asked to.
+// A program that the model runs step by step on request.
 #pragma once
 
 #include <memory>
@@ -14,12 +14,12 @@ namespace toolcomp::certify {
 class Blocks {
  public:
   virtual ~Blocks() = default;
-  // Runs the next block, or the end of the program; false where that was before.
+  // Runs the next block, or the end of the program; false if that was before.
   virtual bool next() = 0;
 };
 
-// `c`, `events` and `motions` must outlive them. Throws spec::InputError for a setup the control could not have.
-// Motions are those of FANUC programs.
+// `c`, `events` and `motions` must outlive them. Throws spec::InputError for a setup that the control could not have.
+// Only FANUC programs give motions.
 std::unique_ptr<Blocks> blocks_of(const spec::Case& c, model::EventSink& events, model::MotionSink& motions);
 
 }  // namespace toolcomp::certify

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Boxes around straight lines in a row, so that those near a position are found without asking each.
+// Boxes around consecutive straight lines, to find the lines near a position without testing each.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,8 @@
 
 namespace toolcomp::certify {
 
-// Lines are numbered in a row, from `first` on; 16 share a box, 16 of those another, and 16 of those.
+// Lines are numbered consecutively from `first` on. 16 lines share a box, 16 boxes share a larger box, and 16 of those
+// another one.
 class Boxes {
  public:
   explicit Boxes(std::size_t first = 0) : end_(first) {
@@ -26,20 +27,20 @@ class Boxes {
     }
     ++end_;
   }
-  // The lines before `number` are not asked for any more.
+  // The lines before `number` are no longer needed.
   void drop_before(std::size_t number) {
     for (std::size_t i = 0; i < kSizes.size(); ++i)
       for (Level& level = levels_[i]; level.first < number / kSizes[i] && !level.boxes.empty(); ++level.first)
         level.boxes.pop_front();
   }
-  // Calls `each(number)` for the lines in [from, to) in their order, but for those in boxes that `skip(box)`.
+  // Calls `each(number)` for the lines in [from, to) in order, except for lines in boxes for which `skip(box)` is true.
   template <class Skip, class Each>
   void visit(std::size_t from, std::size_t to, Skip skip, Each each) const {
     to = std::min(to, end_);
     for (bool first = true; from < to; first = false) {
       std::size_t behind = from;
       for (std::size_t i = 0; i < kSizes.size() && behind == from; ++i) {
-        // Inside a box that was looked at already there is no use in looking again.
+        // A box that was tested at its first line need not be tested again.
         if (!first && from % kSizes[i] != 0) continue;
         if (skip(levels_[i].boxes[from / kSizes[i] - levels_[i].first])) behind = (from / kSizes[i] + 1) * kSizes[i];
       }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A curve divided into chords, one after the other.
+// Divides a curve into chords, one after the other.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,12 @@
 
 namespace toolcomp::certify {
 
-// From t = 0 to 1. Where the curve bends much the chords are short; of what lies ahead only the halves still to be
-// divided are kept.
+// From t = 0 to 1. Where the curve bends strongly the chords are short. Of the rest of the curve only the parts still
+// to be divided are kept.
 class Chords {
  public:
-  // `most`: of the error of a chord. Where doubles end, at the edge of reach, one may be a few times as far off.
+  // `most`: the largest error of a chord. At the limit of double precision, at the edge of reach, an error may be a few
+  // times larger.
   Chords(CurveBound bound, Distance most) : bound_(std::move(bound)), most_(most), parts_{{0, 1, 0}} {}
 
   struct Chord {
@@ -23,7 +24,7 @@ class Chords {
     Distance error;
     bool last = false;
   };
-  // The next one; to be asked until the last. Nothing where no bound is found however short the chords are.
+  // The next chord. Call it until the last one. std::nullopt if no bound is found, however short the chords are.
   std::optional<Chord> next();
 
   [[nodiscard]] const CurveBound& bound() const { return bound_; }
@@ -39,7 +40,7 @@ class Chords {
   CurveBound bound_;
   Distance most_;
   std::vector<Part> parts_;  // the next one last
-  // Of the part that is being run.
+  // The part in use.
   exact::Rational at_;
   exact::Rational length_;  // of a chord
   std::uint64_t left_ = 0;  // chords

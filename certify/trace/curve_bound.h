@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far the axes bend inside a move: certified bounds of the error of a chord.
+// Certified bounds of the error of a chord, inside a move.
 #pragma once
 
 #include <array>
@@ -29,19 +29,19 @@ namespace toolcomp::certify {
 //    contains the part: the box of all values.
 class CurveBound {
  public:
-  // `axes` of the setup; of them those in `space` are measured.
+  // `axes` are those of the setup. Only the axes in `space` are measured.
   CurveBound(const model::InsideMove::Form& move, const spec::Axes& axes, const TraceSpace& space);
-  // A tip that runs along an arc, and axes that differ from it by an offset which goes evenly; X Y Z.
+  // A tip that runs along an arc, and axes that differ from it by an offset that changes evenly; X Y Z.
   CurveBound(const model::PointPath& tip, const exact::Vector3& offset_before, const exact::Vector3& offset_after,
              const spec::Axes& axes, const TraceSpace& space);
   CurveBound(CurveBound&&) noexcept;
   CurveBound& operator=(CurveBound&&) noexcept;
   ~CurveBound();
 
-  // Of the part from t0 to t1. Infinite where there is no bound.
+  // The bounds for the part from t0 to t1. Infinite if there is no bound.
   struct Part {
-    Distance sagitta;  // a chord is no further off; each of n equal chords no further than the n²-th part of it
-    Distance extent;   // all positions of the part are no further from each other
+    Distance sagitta;  // largest error of one chord; each of n equal chords has at most 1/n² of it
+    Distance extent;   // largest distance of two positions of the part
   };
   [[nodiscard]] Part part(const exact::Rational& t0, const exact::Rational& t1) const;
 

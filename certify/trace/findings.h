@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The findings of a recording as they come in.
+// Collects the findings of a recording.
 #pragma once
 
 #include <cstddef>
@@ -9,15 +9,15 @@
 
 namespace toolcomp::certify {
 
-// Counts all, keeps the first ones, and takes what one cause makes twice for one: a gap of the path and one of the time
-// at the same sample.
+// Counts all findings and keeps the first ones. Two findings with one cause count once: a gap of the path and a gap of
+// the time at the same sample.
 class Findings {
  public:
   Findings(TraceResult& result, std::size_t most) : result_(result), most_(most) {}
   void add(TraceFinding finding);
-  // The run of samples of the last finding that had one goes on.
+  // Extends the run of samples of the last finding that has one.
   void extend(const TraceFinding& more);
-  // By sample, in the end.
+  // Sorts the findings by sample, at the end.
   void sort();
 
  private:

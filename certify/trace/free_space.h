@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which places of the path a recording may have reached: the free-space diagram of Alt and Godau, column by column.
+// Finds the places of the path that a recording may have reached, by the free-space diagram of Alt and Godau, column by
+// column.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +12,7 @@
 
 namespace toolcomp::certify {
 
-// A recorded position as it is matched.
+// A recorded position for matching.
 struct Sample {
   AxisPoint at{};
   double magnitude = 0;
@@ -19,14 +20,14 @@ struct Sample {
   std::uint64_t line = 0;    // of the CSV
 };
 
-// The places of one piece that are reached, by parameter. Of a move whose inside is not judged: 0 is anywhere inside, 1
+// The reached places of one piece, by parameter. In a move whose inside is not judged, 0 is anywhere inside, and 1 is
 // its end.
 struct Reached {
   std::size_t piece = 0;
   double low = 0;
   double high = 0;
 };
-// In the order of the path; those of one piece are one interval.
+// In the order of the path. The places of one piece are one interval.
 using Reach = std::vector<Reached>;
 inline PathPlace first_of(const Reach& reach) { return {reach.front().piece, reach.front().low}; }
 inline PathPlace last_of(const Reach& reach) { return {reach.back().piece, reach.back().high}; }
@@ -36,28 +37,29 @@ struct NearestReached {
   Distance distance;
   double in_tolerances = 0;
 };
-// Where a reach is nearest to a position, in tolerances; nothing inside moves that are not judged.
+// The place of a reach that is nearest to a position, in tolerances; std::nullopt inside moves that are not judged.
 std::optional<NearestReached> nearest_of(const Reach& reach, const PathWindow& path, const Metric& metric,
                                          const AxisPoint& p);
 
-// A recording and a path are within the tolerance of each other (Fréchet) exactly if both can be run through, never
-// backwards, so that what is left behind side by side stays within it. The pairs (place of the recording, place of the
-// path) within the tolerance are the free space; between two samples and on one piece it is convex, so that only what
-// is reached on the borders of such a cell has to be known: behind each sample one interval of every piece nearby.
+// A recording and a path are within the tolerance of each other (Fréchet distance) exactly if both can be run through
+// side by side, never backwards, so that their distance always stays within the tolerance. The pairs (place of the
+// recording, place of the path) within the tolerance are the free space; between two samples and on one piece it is
+// convex, so that only the reached places on the borders of such a cell must be known: after each sample, one interval
+// of every piece nearby.
 //
-// The cells of a piece are free within the tolerance and the error of the piece; a place between two pieces within the
-// smaller of both, which holds for every recording within the tolerance of the exact path. So such a recording is never
-// lost, and one that is followed is within the tolerance and twice the error.
+// The cells of a piece are free within the tolerance plus the error of the piece; a place between two pieces is free
+// within the smaller of both, which is true for every recording within the tolerance of the exact path. So such a
+// recording is never lost, and a matched recording is within the tolerance plus twice the error.
 class FreeSpace {
  public:
   FreeSpace(PathWindow& path, const Metric& metric) : path_(path), metric_(metric) {}
 
-  // What a recording that begins at `sample` may have reached: it may begin anywhere on the first move (on the first
-  // `most` pieces of it).
+  // The places that a recording that begins at `sample` may have reached. It may begin anywhere on the first move (on
+  // its first `most` pieces).
   Reach begin(const Sample& sample, std::size_t most);
-  // What is reached behind the straight line from `a` to `b`, by what was reached at `a`.
+  // The places reached after the straight line from `a` to `b`, from the places reached at `a`.
   void advance(const Reach& behind, const Sample& a, const Sample& b, Reach& ahead);
-  // Whether the end of the path is among it.
+  // Whether the end of the path is among them.
   bool at_end(const Reach& reach) {
     return !reach.empty() && reach.back().high >= 1 && !path_.has(reach.back().piece + 1);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers that carry bounds of their value and of their first two derivatives by t.
+// Numbers with bounds of their value and of their first two derivatives by t.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace toolcomp::certify {
 
-// Rounded outwards as long as an object of Rounding lives.
+// Rounds outwards as long as an object of Rounding exists.
 using ProtectedInterval = boost::numeric::interval<
     double, boost::numeric::interval_lib::policies<
                 boost::numeric::interval_lib::save_state<boost::numeric::interval_lib::rounded_transc_opp<double>>,
@@ -17,7 +17,7 @@ using ProtectedInterval = boost::numeric::interval<
 using Rounding = ProtectedInterval::traits_type::rounding;
 using Interval = boost::numeric::interval_lib::unprotect<ProtectedInterval>::type;
 
-// The library's own are those of libm, which is off by an ulp of 1 or less.
+// The library uses the functions of libm, which may be off by one ulp of a value of at most 1.
 inline Interval of_libm(const Interval& x) {
   constexpr double ulps = 2 * std::numeric_limits<double>::epsilon();
   return x + Interval(-ulps, ulps);
@@ -53,7 +53,8 @@ inline Jet inverse(const Jet& a) {
   const Interval r2 = boost::numeric::square(r);
   return {r, -a.rate * r2, (2.0 * boost::numeric::square(a.rate) * r - a.second) * r2};
 }
-// Of what is not negative, though its bounds may be. From f = s²: f' = 2 s s', f" = 2 (s'² + s s").
+// The root of a value that is not negative, though its bounds may be negative. From f = s²: f' = 2 s s', f" = 2 (s'² +
+// s s").
 inline Jet root(const Jet& a) {
   const Interval s = boost::numeric::sqrt(a.value);
   const Interval half = 0.5 / s;
@@ -66,7 +67,7 @@ struct Turned {
   Jet cosine{1.0};
   Jet sine;
 };
-// Radians, begun at `start`, at a constant rate.
+// An angle in radians that begins at `start` and changes at a constant rate.
 inline Turned turning(const Interval& t, const Interval& start, const Interval& rate) {
   const Interval angle = start + t * rate;
   const Interval c = cosine(angle);

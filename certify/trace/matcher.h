@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recording matched with the path, and found again where it is lost.
+// Matches a recording with the path, and finds it again after it was lost.
 #pragma once
 
 #include <cstddef>
@@ -19,31 +19,32 @@
 
 namespace toolcomp::certify {
 
-// Decides by the free space whether the recording is within the tolerance of the path (free_space.h). Where nothing is
-// reached any more, the match is lost, and the recording does not conform, whatever is found out behind that.
+// Decides by the free space whether the recording is within the tolerance of the path (free_space.h). If no place is
+// reached any more, the match is lost, and the recording does not conform, whatever the matcher finds afterwards.
 //
-// What is found out is the alignment of least cost. From the places last reached, hypotheses leave out recording, at
-// the cost of its length, and path, at the cost of its length, and pay a constant besides, to go on wherever a sample
-// lies near the path. They are followed side by side, each through the free space, until one is left:
-// * A match is left only where it breaks, and taken up only at a sample.
-// * A hypothesis goes if another can be where it is for no more: one that overlaps it, or one behind it that leaves out
-//   the path between.
-// * Once one is matched again, those dearer than twice its cost and a constant go: the one that stays off the path is
-//   given up when the recording has been followed again for about as long as it was lost.
-// * Searched is the path from where it was left up to kWindow pieces ahead, whole moves or not: of straight moves so
-//   many, of curves that are divided most finely some twenty turns. Pieces near a sample are found by their boxes, so a
-//   sample costs about the same however much path lies ahead, and each piece is fetched and dropped once: time grows
-//   with samples and pieces, not with their product.
-// * A recording that is off the path for as long as half of that is taken to have left out the first quarter, and so
-//   on: then what it is compared with stays beside it. Where more than kWindow pieces were left out at once, it is not
-//   found again: the rest is said to be off the path.
-// * The oldest fault of the cheapest is decided on when as many samples are held as a run keeps (run.h).
-// * At most kHypotheses are followed, the cheapest. If the path held gets longer than kWindow while several are, the
-//   cheapest is taken.
+// Afterwards it looks for the alignment with the lowest cost. From the places last reached, hypotheses leave out a part
+// of the recording and a part of the path. The cost is the length of each part plus a constant. A hypothesis goes on
+// wherever a sample is near the path. Hypotheses are followed in parallel, each through the free space, until one is
+// left:
+// * A match is left only if it breaks, and taken up only at a sample.
+// * A hypothesis is dropped if another one can be at its place at no higher cost: one that overlaps it, or one behind
+//   it that leaves out the path in between.
+// * When a hypothesis is matched again, those that cost more than twice its cost plus a constant are dropped. The one
+//   that stays off the path is dropped when the recording has been matched again for about as long as it was lost.
+// * The search covers the path from the place where it was left up to kWindow pieces ahead, whether these are whole
+//   moves or not: this is kWindow straight moves, or about twenty turns of curves with the finest division. Pieces near
+//   a sample are found by their boxes, so a sample costs about the same however much path lies ahead, and each piece is
+//   fetched and dropped once: time grows with samples and pieces, not with their product.
+// * A recording that is off the path for half of that length is assumed to have left out the first quarter, and so on,
+//   so that the search stays near it. If more than kWindow pieces were left out at once, the recording is not found
+//   again, and its rest is reported as off the path.
+// * The oldest fault of the cheapest hypothesis is decided when as many samples are held as a run keeps (run.h).
+// * At most kHypotheses are followed, the cheapest. If the held path gets longer than kWindow while there are several
+//   hypotheses, the cheapest is taken.
 // A move whose inside is not judged accepts every sample between its ends, axis by axis, so a match may not break there
-// where it should: while one is inside, hypotheses that did not come to the end of that move are followed besides. One
-// without a fault is never given up for them. Lengths of the recording are counted in steps of at least the tolerance:
-// noise of a standing machine has none.
+// when it should. While a match is inside such a move, hypotheses that did not come to its end are followed too. A
+// hypothesis without a fault is never dropped for them. Lengths of the recording are counted in steps of at least the
+// tolerance, so that the noise of a standing machine counts as no length.
 class Matcher {
  public:
   static constexpr std::size_t kWindow = 131072;
@@ -52,17 +53,18 @@ class Matcher {
   Matcher(PathSource& path, const Metric& metric, const spec::Axes& axes, TraceResult& result, Findings& findings);
   void take(const AxisPoint& at, std::uint64_t line);
   void end();
-  // Where the last sample is on the path, as far as one can tell. While the recording is not followed that is no place,
-  // unless `also_left`: then what is nearest behind the place where it left.
+  // The place of the last sample on the path, as far as it is known. While the recording is not matched there is no
+  // place, unless `also_left` is true: then it is the nearest place after the place at which the recording left.
   [[nodiscard]] PlaceOnPath place(bool also_left) const;
-  // The move that the recording is on, as far as one can tell.
+  // The move of the recording, as far as it is known.
   [[nodiscard]] MoveName move() const;
 
  private:
-  // What leaving the path costs besides the lengths, in tolerances: places that differ by a few tolerances are the same
-  // to a match, so faults closer than about that are one.
+  // The constant cost of leaving the path, in tolerances. To a match, places that differ by a few tolerances are the
+  // same, so faults that are closer together than about that are one fault.
   static constexpr double kFault = 16;
-  // Pieces kept behind those matched: a recording that goes back is told from one that leaves the path.
+  // Number of pieces kept before the matched ones, to distinguish a recording that goes back from one that leaves the
+  // path.
   static constexpr std::size_t kBehind = 4096;
 
   // The largest accepted distances so far.
@@ -75,26 +77,26 @@ class Matcher {
     std::vector<std::shared_ptr<const LostMatch>> faults;  // not yet reported
     Accepted accepted;
   };
-  // On the path.
+  // A hypothesis that is on the path.
   struct Hypothesis {
     History history;
     Reach reach;
     std::optional<NearestReached> nearest;  // to the last sample
-    // Inside a move that is not judged: where it came closest to its end.
+    // Inside a move that is not judged: where the recording was closest to its end.
     std::size_t free_piece = static_cast<std::size_t>(-1);
     double closest = 0;        // in tolerances
     double closest_after = 0;  // length of the recording
     std::uint64_t closest_sample = 0;
   };
-  // Off the path since `sample`.
+  // A hypothesis that has been off the path since `sample`.
   struct Left {
     History history;
     std::uint64_t sample = 0;
-    std::uint64_t line = 0;  // of the CSV: where that was noticed
+    std::uint64_t line = 0;  // line of the CSV at which that was noticed
     bool begin = false;
     PathPlace low, high;
     double recorded = 0;     // length of the recording up to there
-    bool continued = false;  // part of it was told already
+    bool continued = false;  // part of it was already reported
   };
 
   void begin(const Sample& sample);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far positions are from straight lines, and which parts of a line lie near a position.
+// Distances of positions from straight lines, and the parts of a line that are near a position.
 #pragma once
 
 #include <cstddef>
@@ -15,14 +15,14 @@ struct Part {
   double high = 1;
 };
 
-// What is near: the linear axes within `reach.linear` of each other, each rotary axis within `reach.rotary`.
-// `magnitude`: the largest coordinate compared, by which roundings are judged.
+// The limit of what counts as near: linear axes within `reach.linear` of each other, each rotary axis within
+// `reach.rotary`. `magnitude` is the largest coordinate compared; it gives the size of roundings.
 struct Limit {
   Distance reach;
   double magnitude = 0;
 };
 
-// The least box around positions; empty at first.
+// The smallest box around positions. At first it is empty.
 struct AxisBox {
   AxisPoint low;
   AxisPoint high;
@@ -31,7 +31,7 @@ struct AxisBox {
 };
 
 // Distances in the recorded axes. A length "in tolerances" is the larger of the linear one over the linear tolerance
-// and the largest rotary one over the rotary tolerance: for comparing, never for reporting.
+// and the largest rotary one over the rotary tolerance: it is used for comparing, never for reporting.
 class Metric {
  public:
   // Both tolerances positive.
@@ -41,17 +41,17 @@ class Metric {
 
   // The largest coordinate of a recorded axis.
   [[nodiscard]] double magnitude(const AxisPoint& p) const;
-  // The tolerance and `error`, wider by what coordinates up to `magnitude` may have been rounded: a distance of exactly
-  // the tolerance is accepted.
+  // The tolerance plus `error`, plus the possible rounding of coordinates up to `magnitude`, so that a distance of
+  // exactly the tolerance is accepted.
   [[nodiscard]] Limit limit(const Distance& error, double magnitude) const;
-  // What a distance between positions of that magnitude may have been rounded.
+  // The largest rounding of a distance between positions of this magnitude.
   [[nodiscard]] static double rounding(double magnitude);
   [[nodiscard]] bool exceeds(const Distance& d, const Limit& limit) const {
-    return !(d.linear <= limit.reach.linear && d.rotary <= limit.reach.rotary);  // what is no number exceeds
+    return !(d.linear <= limit.reach.linear && d.rotary <= limit.reach.rotary);  // NaN exceeds the limit
   }
 
-  // The part of the line from `a` to `b` near `p`. Where the whole line moves less than coordinates are rounded, all of
-  // it or nothing.
+  // The part of the line from `a` to `b` near `p`. If the whole line is shorter than the rounding of coordinates, all
+  // of it or nothing.
   [[nodiscard]] std::optional<Part> part_near(const AxisPoint& a, const AxisPoint& b, const AxisPoint& p,
                                               const Limit& limit) const;
   [[nodiscard]] Distance between(const AxisPoint& a, const AxisPoint& b) const;
@@ -59,11 +59,11 @@ class Metric {
   [[nodiscard]] Distance at(const AxisPoint& a, const AxisPoint& b, double t, const AxisPoint& p) const;
   // The parameter in [low, high] that is closest to `p` by the linear axes, by the rotary ones if no linear one moves.
   [[nodiscard]] double foot(const AxisPoint& a, const AxisPoint& b, const AxisPoint& p, const Part& within) const;
-  // The parameter that is closest in tolerances; of several the one closest by the linear axes.
+  // The parameter that is closest in tolerances; if there are several, the one that is closest by the linear axes.
   [[nodiscard]] double closest(const AxisPoint& a, const AxisPoint& b, const AxisPoint& p, const Part& within) const;
-  // No point of that part of the line is closer, in tolerances.
+  // A lower bound of the distance of that part of the line, in tolerances.
   [[nodiscard]] double at_least(const AxisPoint& a, const AxisPoint& b, const AxisPoint& p, const Part& within) const;
-  // No point of the box is closer to `p`.
+  // The distance of `p` from the box: no point of the box is closer.
   [[nodiscard]] Distance outside(const AxisBox& box, const AxisPoint& p) const;
 
   [[nodiscard]] double in_tolerances(const Distance& d) const;
@@ -71,7 +71,7 @@ class Metric {
   [[nodiscard]] Metric linear_only() const { return {{space_.linear, {}}, tolerance_}; }
   [[nodiscard]] Metric rotary_only() const { return {{{}, space_.rotary}, tolerance_}; }
   [[nodiscard]] bool mixed() const { return !space_.linear.empty() && !space_.rotary.empty(); }
-  // The rotary axis on which the two positions differ most; none where they do not differ.
+  // The rotary axis in which the two positions differ most; std::nullopt if they do not differ.
   [[nodiscard]] std::optional<std::size_t> turned(const AxisPoint& a, const AxisPoint& b) const;
 
  private:

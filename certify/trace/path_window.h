@@ -12,7 +12,7 @@
 
 namespace toolcomp::certify {
 
-// A place of the path: on which piece, and where on it, from 0 to 1.
+// A place of the path: its piece, and its position on the piece, from 0 to 1.
 struct PathPlace {
   std::size_t piece = 0;
   double at = 0;
@@ -27,25 +27,25 @@ struct WindowPiece {
   std::size_t move_first = 0;  // the first piece of its move
 };
 
-// Pieces by number, from 0 on; they are fetched when asked for and kept until they are dropped.
+// The pieces by number, from 0 on. They are fetched on request and kept until they are dropped.
 class PathWindow {
  public:
   PathWindow(PathSource& source, const Metric& metric) : source_(source), metric_(metric) {}
 
-  // Whether the path has a piece of that number; fetches up to it.
+  // Whether the path has a piece with this number. Fetches the pieces up to it.
   bool has(std::size_t number);
   [[nodiscard]] const WindowPiece& operator[](std::size_t number) const { return pieces_[number - first_]; }
-  // Those held are [first, end).
+  // The held pieces are [first, end).
   [[nodiscard]] std::size_t first() const { return first_; }
   [[nodiscard]] std::size_t end() const { return first_ + pieces_.size(); }
   void drop_before(std::size_t number);
 
   [[nodiscard]] AxisPoint point(const PathPlace& place) const;
-  // Length of the path up to there, in tolerances.
+  // The length of the path up to this place, in tolerances.
   [[nodiscard]] double length_to(const PathPlace& place) const;
-  // Of a piece: the linear axes, setup units; 0 for a jump.
+  // The length of a piece in the linear axes, in setup units; 0 for a jump.
   [[nodiscard]] double linear_length(std::size_t number) const;
-  // The first piece that begins beyond that length of the path; the end of those held if none does.
+  // The first piece that begins beyond this length of the path; the end of the held pieces if there is none.
   [[nodiscard]] std::size_t first_beyond(double length) const;
   [[nodiscard]] Limit limit(std::size_t number, double magnitude) const;
 
@@ -65,7 +65,7 @@ class PathWindow {
   }
   [[nodiscard]] const Boxes& boxes() const { return boxes_; }
 
-  // Of all that was fetched.
+  // The number of corners of all fetched pieces.
   [[nodiscard]] std::uint64_t corners() const { return corners_; }
   [[nodiscard]] std::uint64_t free_moves() const { return free_moves_; }
   [[nodiscard]] double fetched_length() const { return linear_; }  // linear axes, setup units, without jumps

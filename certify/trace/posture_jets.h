@@ -12,7 +12,8 @@
 
 namespace toolcomp::certify {
 
-// Exact numbers are enclosed before an object of Rounding lives: libraries of theirs may count on rounding to nearest.
+// Exact numbers are enclosed before an object of Rounding exists, because their libraries may rely on rounding to
+// nearest.
 Interval enclosed(const exact::Real& x);
 IntervalVector enclosed(const exact::Vector3& v);
 Interval radians(const Interval& degrees);
@@ -44,8 +45,8 @@ struct Turns {
 class Even {
  public:
   Even(const model::Machine& machine, const model::EvenTurns& turns);
-  // A swing at right angles to the work-side axis, which alone turns: the tool-side axis may stand at the edge of its
-  // reach, where its rate could not be bounded.
+  // A swing at right angles to the work-side axis, in which only this axis turns. The tool-side axis may be at the edge
+  // of its reach, where its rate has no bound.
   Even(const model::Machine& machine, const model::LiftedSwing& level);
   [[nodiscard]] Turns at(const Interval& t) const;
 
@@ -72,7 +73,7 @@ class Swing {
 
 // LiftedSwing, by inverse kinematics (model/kinematics/inverse.h). C is the height of the direction over the mean one,
 // ρ its greatest. Where a pole is in reach ρ - C = 1 - u_w·V (ρ + C = 1 + u_w·V) is taken from the distance h of the
-// direction from the work-side axis, so that it keeps its relative width beside the pole.
+// direction from the work-side axis, so that it keeps its relative width near the pole.
 class Lifted {
  public:
   Lifted(const model::Machine& machine, const model::LiftedSwing& swing);

@@ -114,9 +114,8 @@ ProgramPath::Run::Run(const spec::Case& c, TraceSpace space, Distance tolerance,
                            "must be positive: setup units for linear axes, degrees for rotary ones");
   const bool fanuc = c.setup.control == spec::Control::fanuc;
   if (!fanuc && options_.frame == PathFrame::machine)
-    throw spec::InputError("setup", 0, 0,
-                           "control: there are no machine coordinates of Klartext programs, whose positions count from "
-                           "the preset");
+    throw spec::InputError(
+        "setup", 0, 0, "control: Klartext programs have no machine coordinates; their positions count from the preset");
   most_ = {tolerance.linear / kMostOfTolerance * kForChords, tolerance.rotary / kMostOfTolerance * kForChords};
   for (std::size_t i = 0; i < c.setup.axes.size(); ++i)
     if (const auto start = c.setup.position.find(c.setup.axes.letter(i)); start != c.setup.position.end())
@@ -145,7 +144,7 @@ void ProgramPath::Run::on(const model::Event& event) {
     case spec::EventKind::hole:
       if (event.unknown != 0) {
         closed_ = true;
-        undecided_ = "line " + std::to_string(event.line) + " leaves the axes where nobody knows";
+        undecided_ = "line " + std::to_string(event.line) + " leaves the axes at positions that are not known";
         break;
       }
       given_.push_back({event.line, event.n, std::exchange(motion_, {}), event});
@@ -173,7 +172,7 @@ bool ProgramPath::Run::next(PathPiece& piece) {
     if (!next_piece(piece)) return false;
     // Whoever measures by what is no number does not come to an end.
     if (is_finite(piece.begin) && is_finite(piece.end)) return true;
-    end("a position inside line " + std::to_string(piece.line) + " is no number");
+    end("a position inside line " + std::to_string(piece.line) + " is not a number");
     return false;
   } catch (const exact::Undecided&) {
     end("a position inside line " + std::to_string(piece_.line) + " could not be certified");
@@ -311,7 +310,7 @@ std::optional<CurveBound> ProgramPath::Run::bend(const Given& given, const Reals
 bool ProgramPath::Run::chord(PathPiece& piece) {
   const std::optional<Chords::Chord> chord = curve_->chords.next();
   if (!chord) {
-    end("how line " + std::to_string(piece_.line) + " bends inside could not be bounded");
+    end("the curve inside line " + std::to_string(piece_.line) + " could not be bounded");
     return false;
   }
   const Place before = std::exchange(here_, chord->last ? end_ : inside(chord->end));

@@ -124,7 +124,8 @@ bool Recording::next_line() {
     if (text_.size() > kLongestLine) fail(kLongestLine + 1, "a line of more than 65536 bytes");
     if (line_end != std::string::npos) break;
   }
-  if (const std::size_t nul = text_.find('\0'); nul != std::string::npos) fail(nul + 1, "a NUL: this is no text");
+  if (const std::size_t nul = text_.find('\0'); nul != std::string::npos)
+    fail(nul + 1, "a NUL byte: this is not a text file");
   if (!text_.empty() && text_.back() == '\r') text_.pop_back();
   return any;
 }
@@ -139,7 +140,7 @@ char Recording::separator() const {
     return text_[other];
   }
   if (const std::size_t second = text_.find(text_[first] == ',' ? ';' : ','); second != std::string::npos)
-    fail(second + 1, "columns are separated by comma, semicolon or tab, by one of them");
+    fail(second + 1, "columns must be separated by one of comma, semicolon and tab");
   return text_[first];
 }
 
@@ -148,13 +149,13 @@ Recording::Column Recording::column(std::string_view field, std::size_t at, cons
   const auto [name, unit] = name_and_unit(field);
   if (name == "time" || name == "t") {
     const auto scale = unit.empty() ? 1.0 : scale_of(kTimes, unit);
-    if (!scale) fail(at, "time is in us, ms or s, not in \"" + unit + "\"");
+    if (!scale) fail(at, "expected time in us, ms or s, found \"" + unit + "\"");
     return {kTime, *scale};
   }
   const char letter = name.size() == 1 && name[0] >= 'a' && name[0] <= 'z' ? static_cast<char>(name[0] - 32) : '\0';
   const std::size_t index = letter == '\0' ? spec::Axes::kNone : axes.index(letter);
   if (index == spec::Axes::kNone)
-    fail(at, "a column is time or an axis of the setup (" + axes.letters() + "), not \"" + std::string(field) + "\"");
+    fail(at, "expected time or an axis of the setup (" + axes.letters() + "), found \"" + std::string(field) + "\"");
   if (unit.empty()) return {index, 1};
   const bool rotary = spec::is_rotary_axis(letter);
   const auto scale = rotary ? scale_of(kAngles, unit) : scale_of(kLengths, unit);
@@ -168,7 +169,7 @@ void Recording::read_header(const spec::Axes& axes, spec::Units units) {
   do {
     if (!next_line()) {
       line_ = std::max<std::uint64_t>(line_, 1);
-      fail(1, "no header: the first line names the columns, as in time,X,Y,Z");
+      fail(1, "no header: the first line must name the columns, as in time,X,Y,Z");
     }
     if (line_ == 1 && text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3);
   } while (trimmed(text_).empty() || trimmed(text_).front() == '#');
@@ -193,7 +194,7 @@ double Recording::number(std::string_view text, std::size_t column) const {
   if (digits.starts_with('+')) digits.remove_prefix(1);
   const auto [rest, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc() || rest != digits.data() + digits.size() || !std::isfinite(value))
-    fail(column, text.empty() ? std::string("a number is missing") : "\"" + std::string(text) + "\" is no number");
+    fail(column, text.empty() ? std::string("a number is missing") : "\"" + std::string(text) + "\" is not a number");
   return value;
 }
 
@@ -217,7 +218,7 @@ bool Recording::next(RecordedSample& sample) {
     const double value = number(field, at) * column.scale;
     if (!(std::fabs(value) <= (column.index == kTime ? kLatest : kFarthest)))
       fail(at, spec::printable(field) +
-                   (column.index == kTime ? " is beyond 1e12 s" : " is beyond 1e9: no axis gets there"));
+                   (column.index == kTime ? " is more than 1e12 s" : " is beyond 1e9, the limit of a position"));
     if (column.index == kTime)
       take_time(sample, value, column.scale, field, at);
     else

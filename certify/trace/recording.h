@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recorded axis positions: the CSV of a trace.
+// Reads recorded axis positions: the CSV of a trace.
 #pragma once
 
 #include <cstddef>
@@ -17,10 +17,10 @@
 namespace toolcomp::certify {
 
 // Reads samples one by one in constant memory. The first line names the columns, in any order and each once: axes of
-// the setup and `time` or `t`, in either case. A unit may stand behind the name, as in `X [mm]`, `Y_in`, `C (deg)`,
-// `time_ms`: lengths um, mm, m, in, inch; angles deg, rad; time us, ms, s. Without one, lengths are in the units asked
-// for, angles in degrees, time in seconds. Time never runs backwards. Columns are separated by comma, semicolon or tab,
-// one of them in the whole file. Blank lines and those that begin with # are skipped; blanks around numbers, a byte
+// the setup and `time` or `t`, in upper or lower case. A unit may follow the name, as in `X [mm]`, `Y_in`, `C (deg)`,
+// `time_ms`: lengths um, mm, m, in, inch; angles deg, rad; time us, ms, s. Without a unit, lengths are in the given
+// units, angles in degrees, time in seconds. Time must not run backwards. Columns are separated by comma, semicolon or
+// tab, the same in the whole file. Blank lines and lines that begin with # are skipped; blanks around numbers, a byte
 // order mark and CRLF are allowed. Anything else is a spec::InputError with line and column.
 class Recording : public SampleSource {
  public:
@@ -48,7 +48,7 @@ class Recording : public SampleSource {
   std::istream& stream_;
   std::string file_;
   std::string buffer_;
-  std::size_t begin_ = 0;  // of what is not read yet
+  std::size_t begin_ = 0;  // begin of the unread part
   std::uint64_t line_ = 0;
   std::string text_;
   char separator_ = ',';

@@ -15,34 +15,34 @@ namespace toolcomp::certify {
 
 struct RunSample {
   Sample sample;
-  std::uint64_t stands_for = 1;  // itself and those left out behind it
-  Distance error;                // how far the line behind it is from those through the samples left out (Fréchet)
+  std::uint64_t stands_for = 1;  // itself and the samples left out after it
+  Distance error;                // distance of the line after it from the lines through the samples left out (Fréchet)
 };
 
-// Samples in a row, joined by straight lines. At most kMost are kept: then a quarter of them is left out, those that
-// change the lines least, and it is known how far the lines are from those through all samples. So distances stay
-// certified, however long a match is lost: their bounds move apart by that error.
+// Samples in a row, joined by straight lines. At most kMost samples are kept. Then a quarter of them is left out, those
+// that change the lines least, and the distance of the lines from those through all samples is kept as an error. So
+// distances stay certified, however long a match is lost; their bounds only become wider by that error.
 class Run {
  public:
   static constexpr std::size_t kMost = 32768;
-  // A match is lost some tolerances behind the place where the recording was nearest to what it left out: so far back,
-  // in tolerances, and by so many samples at most, what was recorded before counts for lower bounds.
+  // A match is lost some tolerances after the place at which the recording was nearest to the part it left out. The
+  // recording up to this far back, in tolerances, and at most this number of samples, still counts for lower bounds.
   static constexpr double kApproach = 4;
   static constexpr std::size_t kApproachSamples = 256;
 
   explicit Run(const Metric& metric) : metric_(metric) {}
   void add(const Sample& sample);
   void clear();
-  // The samples before that number are not needed any more, but for those that lead there.
+  // The samples before this number are no longer needed, except those that lead there.
   void drop_before(std::uint64_t number);
   [[nodiscard]] bool full() const { return samples_.size() >= kMost; }
   [[nodiscard]] bool empty() const { return samples_.empty(); }
   [[nodiscard]] const std::vector<RunSample>& samples() const { return samples_; }
   // The largest error of a line.
   [[nodiscard]] const Distance& error() const { return error_; }
-  // The indices of the kept samples [first, last] that hold those numbered `from` to `to` between them.
+  // The indices of the kept samples [first, last] that enclose the samples with the numbers `from` to `to`.
   [[nodiscard]] std::pair<std::size_t, std::size_t> between(std::uint64_t from, std::uint64_t to) const;
-  // The index of the first kept sample that leads to that one.
+  // The index of the first kept sample that leads to this one.
   [[nodiscard]] std::size_t approach(std::size_t index) const;
 
  private:
@@ -54,19 +54,19 @@ class Run {
   Distance error_;
 };
 
-// Distances from a stretch of a run.
+// Distances from a part of a run.
 class RunDistance {
  public:
-  // Of the lines through the kept samples [first, last].
+  // For the lines through the kept samples [first, last].
   RunDistance(const Run& run, const Metric& metric, std::size_t first, std::size_t last);
 
   struct Nearest {
-    std::size_t line = 0;  // begins at the kept sample of that index
+    std::size_t line = 0;  // the line that begins at the kept sample with this index
     AxisPoint at{};
     Distance distance;
     double in_tolerances = 0;
   };
-  // Fast where it is asked for places in a row.
+  // Fast for consecutive places.
   [[nodiscard]] Nearest nearest(const AxisPoint& p);
   // From `p` to the nearest point of that line, in tolerances.
   [[nodiscard]] double from(const AxisPoint& p, std::size_t line) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recorded samples, and where they come from.
+// Recorded samples and their sources.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace toolcomp::certify {
 
-// No axis is longer, and squares of such lengths are finite with room to spare. A recording beyond it is none.
+// The largest accepted position. No axis is longer, and the squares of such lengths are far from overflow.
 inline constexpr double kFarthest = 1e9;  // setup units, degrees
 inline constexpr double kLatest = 1e12;   // seconds
 
@@ -18,7 +18,7 @@ struct RecordedSample {
   std::uint64_t line = 0;  // of the file, from 1
   AxisPoint at{};          // in the units of the source; degrees
   double time = 0;         // seconds; 0 if time is not recorded
-  double resolution = 0;   // seconds: one of the last digit in which the time is written
+  double resolution = 0;   // seconds: one unit of the last digit of the written time
 };
 
 // Samples one by one, in the order of time.
@@ -39,7 +39,7 @@ struct RecordedRun {
   std::vector<RecordedSample> samples;
 };
 
-// What is left of a source.
+// The remaining samples of a source.
 inline RecordedRun rest_of(SampleSource& source) {
   RecordedRun run{source.recorded(), source.has_time(), {}};
   for (RecordedSample sample; source.next(sample);) run.samples.push_back(sample);

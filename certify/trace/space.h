@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The space in which a recording is compared with the path: the recorded axes, linear and rotary ones apart.
+// The space in which a recording is compared with the path: the recorded axes, separated into linear and rotary ones.
 #pragma once
 
 #include <algorithm>
@@ -11,17 +11,17 @@
 
 namespace toolcomp::certify {
 
-// A position of every axis of the setup, by index; those that are not recorded stand at 0.
+// A position of every axis of the setup, by index. Axes that are not recorded are at 0.
 using AxisPoint = std::array<double, spec::kMaxAxes>;
 
-// How far two positions are apart, or may be: the linear axes as one Euclidean length in setup units, the rotary ones
-// each by itself, in degrees. The two are never added.
+// A distance of two positions, or a tolerance: of the linear axes together, as a Euclidean length in setup units, and
+// of each rotary axis, in degrees. The two are never added.
 struct Distance {
   double linear = 0;
   double rotary = 0;
 };
 
-// The larger of both, each by its tolerance.
+// The larger of the two, each divided by its tolerance.
 inline double in_tolerances(const Distance& d, const Distance& tolerance) {
   return std::max(d.linear / tolerance.linear, d.rotary / tolerance.rotary);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a record has no samples for a while.
+// Finds time gaps in a recording.
 #pragma once
 
 #include <cstddef>
@@ -12,20 +12,20 @@
 
 namespace toolcomp::certify {
 
-// From one sample to the next.
+// The time from one sample to the next.
 struct TimeStep {
   double seconds = 0;
   double resolution = 0;   // of the time as written
-  std::uint64_t line = 0;  // of the CSV: the sample behind the step
+  std::uint64_t line = 0;  // line of the CSV of the sample after the step
   MoveName move;           // there
   AxisPoint at{};
 };
 
-// Steps longer than one and a half periods. The period is the median of the kAround steps before, or of as many behind
-// if that is larger: a recorder may change its period. A step is known to the last digit in which time is written, so
-// one longer than the median by no more than that is none. Where fewer than kFew steps are around, or a quarter of them
-// are not within half a period, or that digit, of their median, there is no period, and long steps are counted, not
-// judged.
+// Finds steps longer than one and a half periods. The period is the median of the kAround steps before, or of the same
+// number of steps after if that is larger, because a recorder may change its period. The time of a step is known to its
+// last written digit, so a step that is longer than the median by no more than that does not count. If there are fewer
+// than kFew steps around, or if a quarter of them are not within half a period, or that digit, of their median, there
+// is no period, and long steps are counted but not judged.
 class TimeSteps {
  public:
   static constexpr std::size_t kAround = 31;
@@ -34,7 +34,7 @@ class TimeSteps {
   explicit TimeSteps(std::function<void(const TimeStep&)> gap) : gap_(std::move(gap)) {}
   void take(const TimeStep& step);
   void end();
-  // Long steps where there was no period.
+  // The number of long steps at which there was no period.
   [[nodiscard]] std::uint64_t not_judged() const { return not_judged_; }
 
  private:
@@ -54,8 +54,8 @@ class TimeSteps {
   void judge();
 
   std::function<void(const TimeStep&)> gap_;
-  std::deque<TimeStep> steps_;  // those before, the one to judge, those behind
-  std::size_t judged_ = 0;      // index of the one to judge: how many are before
+  std::deque<TimeStep> steps_;  // the steps before, the step to judge, the steps after
+  std::size_t judged_ = 0;      // index of the step to judge, which is the number of steps before it
   Sorted before_;
   Sorted behind_;
   std::uint64_t not_judged_ = 0;

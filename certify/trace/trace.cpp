@@ -82,7 +82,7 @@ void match(SampleSource& samples, PathSource& path, const Metric& metric, const 
   while (samples.next(sample)) {
     for (const std::size_t axis : samples.recorded())
       if (!(std::fabs(sample.at[axis]) <= kFarthest))
-        throw spec::InputError("recording", sample.line, 0, "a position that is no number, or beyond 1e9");
+        throw spec::InputError("recording", sample.line, 0, "a position is not a number, or is beyond 1e9");
     matcher.take(sample.at, sample.line);
     if (options.pictures) result.deviations.take(sample.at, matcher.place(result.deviations.keeps_next()));
     kept.take(sample);

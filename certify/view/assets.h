@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The style and the script of the interactive view, bundled when this is built (CMakeLists.txt), in pieces: some
-// compilers take no long literals.
+// compilers do not accept long literals.
 #pragma once
 
 #include <span>

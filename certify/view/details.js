@@ -48,7 +48,7 @@ function decisions(run, block) {
   );
   const out = items.length ? [element('h3', {}, 'Decisions'), element('ul', { class: 'clauses' }, ...items)] : [];
   if (block.more_decisions)
-    out.push(element('p', { class: 'soft' }, `${block.more_decisions} more decisions: toolcomp explain prints them.`));
+    out.push(element('p', { class: 'soft' }, `${block.more_decisions} more decisions; toolcomp explain prints them.`));
   return [out, by];
 }
 
@@ -56,7 +56,7 @@ function otherClauses(run, block, decided) {
   const numbers = new Set(block.steps.flatMap((i) => run.steps[i].clauses ?? []).filter((i) => !decided.has(i)));
   if (!numbers.size) return [];
   return [
-    element('h3', {}, decided.size ? 'Other clauses it rests on' : 'Clauses it rests on'),
+    element('h3', {}, decided.size ? 'Other clauses of this block' : 'Clauses of this block'),
     element('ul', { class: 'clauses' }, ...[...numbers].map((i) => element('li', {}, ...clauseWords(run.clauses[i])))),
   ];
 }
@@ -93,7 +93,7 @@ export function describeBlock(run, index, shown, select) {
   for (const event of events)
     out.push(eventWords(run, event, event.step, several && event.step === shown, several ? () => select(event.step) : null));
   if (!events.length) out.push(element('p', { class: 'soft' }, 'Nothing moves in this block, and nothing is set.'));
-  if (block.samples) out.push(element('p', { class: 'soft' }, `${block.samples} samples on the way: toolcomp run prints them.`));
+  if (block.samples) out.push(element('p', { class: 'soft' }, `${block.samples} samples inside this block; toolcomp run prints them.`));
   if (run.steps[block.last]) out.push(element('p', { class: 'soft' }, toolWords(run, block.last)));
   const [decided, by] = decisions(run, block);
   out.push(...decided, ...otherClauses(run, block, by));

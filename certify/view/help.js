@@ -5,9 +5,9 @@ import { element } from './words.js';
 const KEYS = [
   ['arrows', 'the block before and after'],
   ['Home, End', 'the first and the last block'],
-  ['page up, page down', 'as many blocks as the list shows'],
-  [', and .', 'before and after, of several moves of one block'],
-  ['/', 'search: text, N50 or a line; Enter and Shift Enter go on, Escape ends'],
+  ['page up, page down', 'one page of the list up and down'],
+  [', and .', 'the move before and after, in a block of several moves'],
+  ['/', 'search: text, N50 or a line; Enter and Shift+Enter go to the next and the previous hit, Escape ends the search'],
   ['Shift and arrows; dragging', 'turn'],
   ['Shift and dragging; right button', 'move'],
   ['+ −; the wheel', 'zoom'],
@@ -24,7 +24,7 @@ export function helpDialog() {
     { class: 'help', 'aria-label': 'Keys' },
     element('h2', {}, 'Keys'),
     element('table', {}, element('tbody', {}, ...rows)),
-    element('p', { class: 'soft' }, 'A number without ± is the value itself. “ulp”: how many doubles the fast engine is off the two next to the exact value. When the list or the numbers beside the drawing have the focus, up and down scroll the numbers.'),
+    element('p', { class: 'soft' }, 'A number without ± is the exact value. “ulp” counts by how many doubles the fast engine differs from the two doubles next to the exact value. When the numbers next to the drawing have the focus, up and down scroll them.'),
     close,
   );
   close.addEventListener('click', () => dialog.close());

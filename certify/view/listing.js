@@ -62,7 +62,7 @@ export class Listing {
     if (this.program.more)
       out.push(
         element('p', { class: 'note' },
-          `The program has ${(this.run.blocks.length + this.program.more).toLocaleString('en')} blocks: the first ${this.run.blocks.length.toLocaleString('en')} can be stepped through, the others are dim. The printed picture has all of them.`),
+          `The program has ${(this.run.blocks.length + this.program.more).toLocaleString('en')} blocks. You can step through the first ${this.run.blocks.length.toLocaleString('en')}; the others are dim. The printed picture shows all of them.`),
       );
     return out;
   }

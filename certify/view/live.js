@@ -12,7 +12,7 @@ export class Live {
     badge.className = 'gone';
     badge.setAttribute('role', 'status');
     badge.hidden = true;
-    badge.textContent = 'The server has ended: this is what it served last.';
+    badge.textContent = 'The server has ended. This is the last page that it served.';
     document.body.append(badge);
     const source = new EventSource('/events');
     source.onmessage = ({ data }) => {

@@ -32,13 +32,13 @@ const NAMES = {
   programmed: 'programmed',
   point: 'tool point',
   vector: 'vector, programmed to tool point',
-  axes: 'axes, what they are sent to',
+  axes: 'axes, positions that they are sent to',
   machine: 'machine coordinates',
   tool_axis: 'tool axis, tip to holder',
   center: 'centre of the arc',
   sweep: 'sweep, degrees',
   radius: 'radius of the arc',
-  end_radius: 'radius at its end',
+  end_radius: 'radius at the end of the arc',
   feed: 'feed',
   value: 'value',
   tool_center: 'centre of the tool',
@@ -47,7 +47,7 @@ const NAMES = {
   carrier: 'carrier',
   contact: 'contact',
   normal: 'surface normal',
-  angle: 'angle of the contact, degrees',
+  angle: 'contact angle, degrees',
 };
 
 // The letters of a field that are not, number for number, those of another one.

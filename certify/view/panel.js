@@ -95,7 +95,7 @@ export class Panel {
     }
     if (this.run.recorded.length) bar.append(element('label', {}, element('span', { class: 'view-line view-recorded' }), 'recording'));
     if (this.run.largest > 0) {
-      this.slider = element('input', { type: 'range', min: 0, max: MOST, step: 0.25, 'aria-label': 'deviations, times as large' });
+      this.slider = element('input', { type: 'range', min: 0, max: MOST, step: 0.25, 'aria-label': 'enlargement of the deviations' });
       this.slider.addEventListener('input', () => this.exaggerate(Number(this.slider.value)));
       this.times = element('output', {});
       bar.append(element('label', {}, 'deviations', this.slider, this.times));

@@ -57,7 +57,7 @@ std::string program_page(const spec::Case& c, const ProgramView& view, const Pat
               head(names) +
                   certify::view("Program " + names.program, c, run, {drawing, {}, &view},
                                 path_svg(run.events, c.setup.axes, drawing)) +
-                  "<noscript>\n<p>Without JavaScript this page shows the picture and the program.</p>\n" +
+                  "<noscript>\n<p>Without JavaScript this page shows only the picture and the program.</p>\n" +
                   listing(c.program, 0) + "</noscript>\n",
               options_of(names));
 }
@@ -66,7 +66,7 @@ std::string fault_page(const spec::InputError& fault, const ProgramPageNames& na
   return page(title_of(names),
               head(names) + R"(<main class="fault" role="alert"><p class="bad"><b>)" + escape(fault.what()) +
                   "</b></p>\n" + lines_about(fault) +
-                  "<p class=\"soft\">The page comes back when this is mended.</p></main>\n",
+                  "<p class=\"soft\">The page returns when this error is corrected.</p></main>\n",
               options_of(names));
 }
 

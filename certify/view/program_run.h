@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program run by both engines side by side, block by block in the order in which blocks run: what its page shows.
+// Runs a program with both engines in parallel, block by block in the order in which blocks run, for its page.
 #pragma once
 
 #include <cstddef>
@@ -17,16 +17,17 @@
 namespace toolcomp::certify {
 
 struct ProgramRun {
-  // A block that was read. One that runs again is there again.
+  // A block that was read. A block that runs several times is listed several times.
   struct Block {
-    std::uint64_t line = 0;  // of the text, where it begins
+    std::uint64_t line = 0;  // line of the text in which it begins
     std::optional<std::uint64_t> n;
-    std::uint64_t fault_line = 0;  // where an alarm of it points to
+    std::uint64_t fault_line = 0;  // line to which an alarm of the block points
     std::uint64_t fault_column = 1;
   };
   std::vector<Block> blocks;
 
-  // What the engines gave, in order, and the block each event belongs to: the latest read that begins in its line.
+  // The events of the engines, in order, and the block that each event belongs to: the block read last that begins in
+  // its line.
   std::vector<model::Event> events;
   std::vector<std::size_t> block_of;  // by event
   std::vector<fast::Event> fast;
@@ -39,8 +40,9 @@ struct ProgramRun {
   bool undecided = false;  // an event was left undecided
 };
 
-// Runs the case. `file` stands for the program in messages; `on_block` is called before each block, and may throw to
-// end it. Throws spec::InputError for what is no text of a program, and for a setup that no control could have.
+// Runs the case. `file` is the name of the program in messages. `on_block` is called before each block, and may throw
+// to end the run. Throws spec::InputError if the text is not the text of a program, and for a setup that no control
+// could have.
 ProgramRun run_program(const spec::Case& c, const std::string& file, const std::function<void()>& on_block);
 
 }  // namespace toolcomp::certify

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shape of the tool in force, as far as setup and program say it: for pictures.
+// The shape of the active tool for pictures, as far as setup and program give it.
 #pragma once
 
 #include <cstdint>
@@ -14,19 +14,19 @@ namespace toolcomp::certify {
 // In the units of the program.
 struct ToolShape {
   double radius = 0;
-  double corner = 0;  // its rounding, at most the radius
+  double corner = 0;  // corner radius, at most the radius
   double length = 0;  // 0: not known
-  std::string name;   // where it comes from: "D1 H2", "tool table"
+  std::string name;   // the source of the shape: "D1 H2", "tool table"
   friend bool operator==(const ToolShape&, const ToolShape&) = default;
 };
 
 class ToolShapes {
  public:
-  // Read from the text block by block; offsets that the program itself changes count as the setup has them. Throws
-  // spec::InputError for a program that is no text.
+  // Reads the text block by block. Offsets that the program itself changes count with the values of the setup. Throws
+  // spec::InputError for a program that is not text.
   explicit ToolShapes(const spec::Case& c);
 
-  // In force in this line; nothing where no radius is known.
+  // The active tool in this line; std::nullopt if no radius is known.
   [[nodiscard]] std::optional<ToolShape> at(std::uint64_t line) const;
 
  private:

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A run as a page shows it in space, block by block: its picture, and beside it the data of the interactive view
-// (README.md).
+// A run for the interactive view in space, block by block: its picture, and the data of the view (README.md).
 #pragma once
 
 #include <cstddef>
@@ -19,34 +18,34 @@
 
 namespace toolcomp::certify {
 
-// An exact run: its events to double precision, and the clauses behind each of them.
+// An exact run: its events in double precision, and the clauses that each of them rests on.
 struct ViewRun {
   std::vector<spec::Event<double>> events;
   std::vector<spec::ClauseList> clauses;
 };
 ViewRun view_run(const std::vector<model::Event>& events);
-// Events of a run of `c`, with the clauses that the model marks as far as it gives the same ones again.
+// The events of a run of `c`, with the clauses that the model marks, as far as the model gives the same events again.
 ViewRun view_run(const spec::Case& c, std::vector<spec::Event<double>> events);
 
-// A recorded position, and its place on the exact path where that is known.
+// A recorded position, and its place on the exact path, if that is known.
 struct ViewSample {
   Point3 at{};
   Point3 exact{};
   bool off = false;  // not followed there
 };
 
-// What is shown besides the run.
+// What is shown in addition to the run.
 struct ViewOptions {
   PathOptions path;                      // start, unit, the controller's events, the marked event
   std::vector<ViewSample> recorded;      // of a recording
-  const ProgramView* program = nullptr;  // of a program's page: its blocks stand beside the drawing
+  const ProgramView* program = nullptr;  // for a program's page, with its blocks next to the drawing
 };
 
-// HTML: the picture, over it, where a browser can, the view. `title` is text, `picture` SVG.
+// HTML: the picture, and over it the interactive view, if the browser can show it. `title` is text, `picture` is SVG.
 std::string view(std::string_view title, const spec::Case& c, const ViewRun& run, const ViewOptions& options,
                  std::string_view picture);
 
-// Whether a body of HTML holds a view: its page needs the assets (assets.h).
+// Whether a body of HTML contains a view. Its page then needs the assets (assets.h).
 bool has_view(std::string_view body);
 
 }  // namespace toolcomp::certify

@@ -46,7 +46,7 @@ function places(run, index) {
 
 export function toolWords(run, index) {
   const shape = run.tools[run.steps[index].tool];
-  if (!shape) return 'The tool’s radius is not known here: drawn as a pointer.';
+  if (!shape) return 'The radius of the tool is not known here. The tool is drawn as a pointer.';
   let text = `Tool of ${shape.name}: radius ${number(shape.radius)}`;
   if (shape.corner) text += `, corner radius ${number(shape.corner)}`;
   return `${text}${shape.length ? `, length ${number(shape.length)}` : ''} ${run.unit}.`;
@@ -65,7 +65,7 @@ export function describe(run, index) {
   const clauses = (step.clauses ?? []).map((i) => run.clauses[i]);
   if (clauses.length)
     out.push(
-      element('p', {}, 'Clauses, what decided last:'),
+      element('p', {}, 'Clauses, the deciding one last:'),
       element('ul', {}, ...clauses.map(([id, text]) => element('li', {}, element('code', {}, id), ` ${text}`))),
     );
   return out;

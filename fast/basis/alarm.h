@@ -8,7 +8,7 @@ namespace toolcomp::fast {
 
 using spec::AlarmCause;
 
-// True where there is one.
+// True if there is one.
 struct Alarm {
   constexpr Alarm() = default;
   constexpr Alarm(AlarmCause raised) : cause(raised) {}  // NOLINT(google-explicit-constructor): a cause is an alarm

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the engines give.
+// The events that the engine gives.
 #pragma once
 
 #include "spec/language/event.h"

@@ -19,7 +19,7 @@ enum class Fault : unsigned char {
 inline thread_local Fault active_fault = Fault::none;
 inline bool fault(Fault f) { return active_fault == f; }
 #else
-// In a normal build no fault exists: this folds away.
+// In a normal build no fault exists, and the compiler removes this.
 constexpr bool fault(Fault) { return false; }
 #endif
 

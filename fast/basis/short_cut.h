@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Short cuts for the usual block: what the general path does, without its detours. A test build can close them, so that
-// one can be held against the other (tests/harness/short_cuts.cpp).
+// Short cuts for usual blocks: they give what the general path gives, without its detours. A test build can close them,
+// so that both can be compared (tests/harness/short_cuts.cpp).
 #pragma once
 
 namespace toolcomp::fast {
@@ -24,10 +24,10 @@ enum class ShortCut : unsigned char {
 inline thread_local unsigned closed_short_cuts = 0;
 inline bool is_open(ShortCut s) { return (closed_short_cuts >> static_cast<unsigned>(s) & 1U) == 0; }
 #elif defined(TOOLCOMP_GENERAL_PATHS)
-// All of them are closed: for the benchmarks of the general paths.
+// All short cuts are closed, for the benchmarks of the general paths.
 constexpr bool is_open(ShortCut) { return false; }
 #else
-// In a normal build all of them are open: this folds away.
+// In a normal build all short cuts are open, and the compiler removes this.
 constexpr bool is_open(ShortCut) { return true; }
 #endif
 

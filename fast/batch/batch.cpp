@@ -57,12 +57,13 @@ void judge_vectors(const Columns& all, Instructions by) {
     const std::uint32_t named = all.words >> place & 0b111U;
     if (named == 0) continue;
     if (named != 0b111U || (all.words >> word_place('X') & 0b111U) != 0b111U)
-      refuse("vectors", "X, Y, Z and all three components are needed");
+      refuse("vectors", "X, Y, Z and all three components of the vector are needed");
     const WordColumn& x = *all.at[place];
     const WordColumn& y = *all.at[place + 1];
     const WordColumn& z = *all.at[place + 2];
     if (y.decimals != x.decimals || z.decimals != x.decimals)
-      refuse(std::string(x.word) + ", " + std::string(y.word) + ", " + std::string(z.word), "not of as many decimals");
+      refuse(std::string(x.word) + ", " + std::string(y.word) + ", " + std::string(z.word),
+             "these words must have the same number of decimals");
     const std::size_t zero =
         find_zero_vector(by, {x.values.data(), y.values.data(), z.values.data()}, all.size, x.decimals);
     if (zero < all.size) refuse(x.word, "the vector of value " + std::to_string(zero) + " is 0");
@@ -80,18 +81,18 @@ void judge_values(const WordColumn& column, std::size_t place, Instructions by) 
   if (are_within(by, column.values.data(), column.values.size(), most)) return;
   const auto bad = std::ranges::find_if_not(column.values, [&](double value) { return std::abs(value) <= most; });
   refuse(column.word, "value " + std::to_string(bad - column.values.begin()) + " is " + shortest(*bad) +
-                          ": no number up to " + shortest(most));
+                          "; expected a number up to " + shortest(most));
 }
 
 Columns judged(std::span<const WordColumn> columns, const BlockMaker& maker, Instructions by) {
   Columns all;
   for (const WordColumn& column : columns) {
     const std::optional<std::size_t> place = maker.place_of(column.word);
-    if (!place) refuse(column.word, "no word of a line that this control has");
+    if (!place) refuse(column.word, "not a word of a line of this control");
     if (all.at[*place] != nullptr) refuse(column.word, "named twice");
     if (column.decimals > kMostPlaces) refuse(column.word, "more than " + std::to_string(kMostPlaces) + " decimals");
     if (column.values.size() != columns.front().values.size())
-      refuse(column.word, std::to_string(column.values.size()) + " values where " + std::string(columns.front().word) +
+      refuse(column.word, std::to_string(column.values.size()) + " values, and " + std::string(columns.front().word) +
                               " has " + std::to_string(columns.front().values.size()));
     judge_values(column, *place, by);
     all.at[*place] = &column;

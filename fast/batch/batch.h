@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines by the million: arrays of words in, arrays of axis positions out. What CAM systems, post processors and
-// simulators call.
+// Compensation of millions of lines, for CAM systems, post processors and simulators: from arrays of words to arrays of
+// axis positions.
 #pragma once
 
 #include <cstddef>
@@ -16,40 +16,40 @@
 
 namespace toolcomp::fast {
 
-// One word of many blocks. Each is the decimal of so many places that is nearest to the value, as a post processor
+// One word of many blocks. The word is the decimal nearest to the value with this number of places, as a post processor
 // prints it: value * 10^decimals, rounded to a whole number (ties to even).
 struct WordColumn {
-  std::string_view word;           // a letter; Klartext vectors: NX NY NZ TX TY TZ
+  std::string_view word;           // a letter; for vectors of Klartext NX NY NZ TX TY TZ
   std::span<const double> values;  // mm or inch, degrees
   unsigned decimals = 3;           // at most 9
 };
 
-// A program in parts: blocks as text, and lines as arrays. Its moves are those of the streaming engine on the same
-// blocks, bit for bit: usual corners are computed many at a time, others one by one.
+// A program that is given in parts: blocks as text, and lines as arrays. Its moves are bit for bit those of the
+// streaming engine on the same blocks. Usual corners are computed many at a time, others one by one.
 class Batch {
  public:
-  // `others`: takes the events that are no moves: alarms, warnings, settings, holes. Throws spec::InputError for a
-  // setup the control could not have.
+  // `others` takes the events other than moves: alarms, warnings, settings, holes. Throws spec::InputError for a setup
+  // that the control could not have.
   explicit Batch(const spec::Setup& setup, EventSink* others = nullptr,
                  Instructions instructions = best_instructions());
   ~Batch();
   Batch(const Batch&) = delete;
   Batch& operator=(const Batch&) = delete;
 
-  // Blocks as a program has them: modes, offsets, start-up and cancel. Throws spec::InputError for what is no text of a
-  // program.
+  // Runs blocks given as the text of a program: modes, offsets, start-up and cancel. Throws spec::InputError if the
+  // text cannot be the text of a program.
   void run(std::string_view text);
-  // As many blocks as the columns have values, each of all their words, under the modes in force: in a Klartext program
-  // LN blocks where there are vectors, else L. Throws std::invalid_argument, and nothing is done: columns of different
-  // lengths, a word twice or none the control has, values beyond 10^9 or that are no numbers, vectors that are 0 or
-  // reach 10.
+  // Runs one block for each index of the columns. A block has all the words, and the modes in force. In a Klartext
+  // program it is an LN block if there are vectors, otherwise an L block. Throws std::invalid_argument, and runs
+  // nothing, for columns of different lengths, a word that is given twice or that the control does not have, values
+  // beyond 10^9 or that are not numbers, vectors that are 0 or reach 10.
   void lines(std::span<const WordColumn> columns);
-  // The end of the program: what is held goes out.
+  // Ends the program: gives the moves that are still held.
   void end();
 
-  // An alarm or the end of the program: what comes is ignored.
+  // Whether the program has ended or raised an alarm. Later blocks are ignored.
   [[nodiscard]] bool stopped() const;
-  // So far. May be cleared at any time.
+  // The moves so far. They may be cleared at any time.
   [[nodiscard]] Moves& moves();
   // Blocks taken so far, and how many of them as arrays.
   [[nodiscard]] std::uint64_t blocks() const;

@@ -20,18 +20,18 @@ std::vector<std::string> shortfalls(const Target& target, const Counters& result
   if (result.executions < kEnoughToJudge) return all;
   const std::uint64_t given = result.values + result.wide;
   if (static_cast<double>(result.wide) > policy::kMostWide * static_cast<double>(given))
-    all.push_back(fmt::format("judged share {:.1f} %, at least {:.0f} % wanted",
+    all.push_back(fmt::format("judged share {:.1f} %, at least {:.0f} % required",
                               100 * static_cast<double>(result.values) / static_cast<double>(given),
                               100 * (1 - policy::kMostWide)));
   const double floor = target.mode == Mode::directed ? kDirectedFloor : kUnrestrictedFloor;
   if (result.accepted_share() < floor)
     all.push_back(
-        fmt::format("acceptance {:.1f} %, at least {:.0f} % wanted", 100 * result.accepted_share(), 100 * floor));
+        fmt::format("acceptance {:.1f} %, at least {:.0f} % required", 100 * result.accepted_share(), 100 * floor));
   const double laws =
       static_cast<double>(result.law_checks) / static_cast<double>(std::max<std::uint64_t>(1, result.acceptance[0]));
   if (target.mode == Mode::directed && laws < kLawFloor)
     all.push_back(
-        fmt::format("{:.2f} questions of laws an accepted execution, at least {:.0f} wanted", laws, kLawFloor));
+        fmt::format("{:.2f} law checks for each accepted execution, at least {:.0f} required", laws, kLawFloor));
   return all;
 }
 

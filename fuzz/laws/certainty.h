@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is certain of an exact value. A law holds for exact numbers, so no tolerance is granted: the bounds of a
-// residual that is zero contain zero, however wide they are, and a violation is certain once they do not.
+// Facts about an exact value that are certain. A law is about exact numbers, so there is no tolerance: the bounds of a
+// residual that is zero contain zero, however wide they are, and a violation is certain if they do not.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@ namespace toolcomp::fuzz::laws {
 using exact::Rational;
 using exact::Real;
 
-// Each is true only where it is certain; neither of two opposites where it is not. They tell
-// values of 1e-27 from zero, by enclosures rounded outwards, and cost no proof of zero.
+// Each is true only if it is certain. If nothing is certain, both of two opposites are false. They distinguish values
+// of 1e-27 from zero by enclosures that are rounded outwards, and need no proof of zero.
 bool certainly_positive(const Real& value);
 bool certainly_negative(const Real& value);
 bool certainly_not_zero(const Real& value);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a law is asked: what it is given, and what it says.
+// How a law is checked: its input and its result.
 #pragma once
 
 #include <algorithm>
@@ -22,11 +22,11 @@ struct Violation {
   std::uint64_t line = 0;
   std::size_t event = 0;  // index in the list of events
   std::string text;       // what should hold
-  std::string amount;     // by how much: the exact value, to 20 decimals
+  std::string amount;     // by how much it is violated: the exact value, to 20 decimals
 };
 
-// The questions of one law to one list of events. Counts what was asked; keeps the first certain violation, after which
-// nothing more is asked.
+// The checks of one law on one list of events. Counts the checks, and keeps the first certain violation. After it there
+// are no more checks.
 class Holding {
  public:
   Holding(std::string_view law, std::span<const model::Event> events) : law_(law), events_(events) {}

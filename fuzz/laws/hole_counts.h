@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many holes a block drills: of both dialects.
+// The number of holes that a block drills, for both dialects.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,10 @@
 namespace toolcomp::fuzz::laws {
 
 struct HolesOfBlock {
-  std::size_t event = 0;  // one that is near it
+  std::size_t event = 0;  // an event near the block
   std::uint64_t holes = 0;
-  std::uint64_t most = 0;   // by its words
-  std::uint64_t least = 0;  // the same, but where the run may have ended before
+  std::uint64_t most = 0;   // largest number, by its words
+  std::uint64_t least = 0;  // smallest number, less than `most` if the run may have ended before
 };
 
 inline void hold_counts(std::span<const HolesOfBlock> blocks, Holding& holding) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Laws beside clauses: the third voice. Two engines that follow one wrong clause agree; a law knows no clause. It holds
-// the model's exact events against a definition or a theorem of the section and against geometry, and a violation is
-// certain (certainty.h). What exempts a case is said where the law is declared; a law never cries wolf.
+// Laws, which do not use clauses. Two engines that follow the same wrong clause agree; a law uses no clause. It
+// compares the model's exact events with a definition or a theorem of the section and with geometry, and a violation is
+// certain (certainty.h). The declaration of a law says which cases are exempt. A law never gives a false alarm.
 #pragma once
 
 #include <cstdint>
@@ -18,18 +18,18 @@ struct LawInfo {
   std::string_view name;       // "perpendicular-to-the-tool"
   std::string_view statement;  // one sentence
 };
-// Every law, by name, in the order they are asked.
+// Every law, in the order in which they are checked.
 std::span<const LawInfo> all();
 
 struct Verdict {
-  std::uint64_t checks = 0;            // questions asked, of all laws
+  std::uint64_t checks = 0;            // number of checks of all laws
   std::optional<Violation> violation;  // the first
-  std::uint64_t left_open = 0;         // laws that came to a question without an answer
+  std::uint64_t left_open = 0;         // number of laws with a check that could not be decided
 };
 
-// All laws that ask the events alone.
+// Checks all laws that need only the events.
 Verdict hold(const spec::Case& c, std::span<const model::Event> events);
-// One of them, by name.
+// Checks one of these laws, by name.
 Verdict hold(std::string_view name, const spec::Case& c, std::span<const model::Event> events);
 
 }  // namespace toolcomp::fuzz::laws

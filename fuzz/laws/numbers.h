@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers of programs and events as exact ones.
+// Converts numbers of programs and events to exact numbers.
 #pragma once
 
 #include <optional>
@@ -11,10 +11,10 @@
 namespace toolcomp::fuzz::laws {
 
 Rational rational(const spec::Decimal& value);
-// With a point, and as few digits as there can be; nothing where 12 decimals do not say it.
+// The decimal with a point, and with as few digits as possible; std::nullopt if 12 decimals are not enough.
 std::optional<spec::Decimal> decimal(const Rational& value);
 
-// X, Y and Z of the values; nothing where one is missing.
+// X, Y and Z of the values; std::nullopt if one is missing.
 std::optional<Vector> xyz(const spec::Axes& axes, const spec::AxisValues<Real>& values);
 
 }  // namespace toolcomp::fuzz::laws

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cases too long to be held whole: what is said of them as long as everything agrees.
+// Judges cases that are too long to be kept in memory, as long as everything agrees.
 #pragma once
 
 #include <functional>
@@ -17,13 +17,13 @@ struct Agreed {
   std::vector<model::ClauseCount> clauses;  // as the recorder of a ModelRun counts them
 };
 
-// What judge() says of a case where the events agree as they are, in bounded memory. Nothing in every other case, which
-// is to be judged with the whole run at hand: a difference (be it that of a near tie taken otherwise), a program that
-// is left open or goes beyond what is supported, rounded numbers, samples that are not judged.
+// Gives what judge() gives if the events agree directly, in bounded memory. Otherwise std::nullopt: such a case must be
+// judged with the whole run in memory. This is so for a difference (even one of a near tie with another outcome), for a
+// program that is left open, not supported or not judged, for rounded numbers, and for samples that are not judged.
 //
-// Of the fast engine, which runs in here.
+// For the fast engine, which this function runs.
 std::optional<Agreed> streamed_agreement(const spec::Case& c, const JudgeOptions& judged = {});
-// Of a controller's events. `on_event` is called with every event of the model that has agreed.
+// For a controller's events. `on_event` is called with every event of the model that agreed.
 std::optional<Agreed> streamed_agreement(const spec::Case& c, std::span<const spec::TextEvent> events,
                                          const JudgeOptions& judged,
                                          const std::function<void(const model::Event&)>& on_event);

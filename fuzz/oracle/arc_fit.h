@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arcs judged by backward error: by the heads a controller has at both ends.
+// Judges arcs by backward error: with the heads that the controller has at both ends.
 #pragma once
 
 #include <array>
@@ -10,15 +10,16 @@
 
 namespace toolcomp::fuzz {
 
-// An end of an arc: where the exact head is, and how far the controller's own lies off it.
+// An end of an arc: the exact head, and the distance of the controller's own head from it.
 struct ArcEnd {
   model::Vector head;
   model::Vector off;
 };
 
 // The arc that runs between the controller's own heads about the same centre: sweep and radii are well conditioned
-// functions of these, however badly the heads are determined. Nothing where a head is off by a right angle, seen from
-// the centre, and where the arc does not start at that head: it may be called otherwise since then. `index`: of X Y Z.
+// functions of these heads, however badly the heads are determined. std::nullopt if a head is off by a right angle,
+// seen from the centre, and if the arc does not start at this head, because the coordinates may have changed since
+// then. `index`: of X Y Z.
 std::optional<spec::Arc<model::Real>> fitted(const spec::Arc<model::Real>& arc, const ArcEnd& start, const ArcEnd& end,
                                              const std::array<std::size_t, 3>& index);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One expected event against one actual event, by the policy table.
+// Compares one expected event with one actual event, by the policy table.
 #pragma once
 
 #include <algorithm>
@@ -15,32 +15,33 @@
 
 namespace toolcomp::fuzz {
 
-// Which fields are judged and how far numbers may lie; the same for every event of a case.
+// Which fields are judged, and the tolerances of numbers. The same for every event of a case.
 class Rules {
  public:
   Rules(const spec::Setup& setup, std::string_view section, const JudgeOptions& options);
 
-  // Of the events, where the program says other ones than the setup.
+  // Sets the units of the events, if those of the program differ from the setup.
   void units(spec::Units units);
 
   [[nodiscard]] bool judges(std::string_view field) const;
-  // A controller announced a field that only undecided events have: it says itself what is left open.
+  // Whether a controller announced a field that only undecided events have. It then reports itself what is left open.
   [[nodiscard]] bool judges_undecided() const;
-  // The event rests on a clause that is not known as JudgeOptions::known asks.
+  // Whether the event rests on a clause that is not of the kinds in JudgeOptions::known.
   [[nodiscard]] bool leaves_out(const model::Event& event) const;
   [[nodiscard]] bool leaves_out(spec::Clause clause) const { return !known_.has(spec::info(clause).known); }
   [[nodiscard]] const policy::Budget& budget() const { return budget_; }
   [[nodiscard]] const spec::Axes& axes() const { return axes_; }
-  // Of lengths in the units of the events, of angles in degrees, of components of unit vectors; 0: they are doubles.
+  // The resolution of lengths in the units of the events, of angles in degrees, of components of unit vectors; 0: they
+  // are doubles.
   [[nodiscard]] double resolution() const { return inch_ ? resolution_.inch : resolution_.mm; }
   [[nodiscard]] double angle_resolution() const { return resolution_.degrees; }
   [[nodiscard]] double vector_resolution() const { return resolution_.vectors; }
   [[nodiscard]] Rounding rounding() const { return resolution_.rounding; }
   [[nodiscard]] bool rounds() const { return resolution_.any(); }
-  // Whether the other outcomes of a decision are permitted, with this relative half width of a near tie.
+  // Whether the other outcomes of a decision are permitted, for this relative half width of a near tie.
   [[nodiscard]] bool is_near_tie(const model::Decision& decision, double band, const PositionErrors& positions) const;
   [[nodiscard]] double um_per_unit() const { return um_per_unit_; }
-  // In micrometres: a value that is granted more is not judged.
+  // In micrometres. A value that is granted more than this is not judged.
   [[nodiscard]] double cap_um() const { return std::max(policy::kCap, resolution() * um_per_unit_); }
 
  private:
@@ -60,9 +61,9 @@ struct Tally {
   std::uint64_t wide = 0;
   std::uint64_t events = 0;
   OpenEvents open;
-  std::uint64_t out_of_scope = 0;  // of the model's events, those behind one of reason OUT_OF_SCOPE
-  bool scope_left = false;         // such an event was there
-  std::uint64_t left_out = 0;      // of the model's events, by JudgeOptions::known
+  std::uint64_t out_of_scope = 0;  // events of the model after one with the reason OUT_OF_SCOPE
+  bool scope_left = false;         // there was such an event
+  std::uint64_t left_out = 0;      // events of the model left out by JudgeOptions::known
   std::map<spec::Clause, std::uint64_t> left_out_for;
   double worst_ulp = 0;
   double worst_um = 0;
@@ -70,21 +71,22 @@ struct Tally {
   Widths widths;
 };
 
-// One that is not judged by JudgeOptions::known.
+// Counts an event that is not judged because of JudgeOptions::known.
 void leave_out(const Rules& rules, const model::Event& event, Tally& tally);
 
-// What was judged, as the verdict has it.
+// Copies the counts to the verdict.
 void take(Verdict& verdict, const Tally& tally);
 
-// The first difference between the two, or nothing. `Number` is double or exact::Rational.
+// The first difference between the two, or std::nullopt. `Number` is double or exact::Rational.
 template <class Number>
 std::optional<Difference> compare(const Rules& rules, const model::Event& expected, const Scale& scale,
                                   const spec::Event<Number>& actual, Tally& tally);
 
-// An undecided event of the model where the specification leaves a case open, not one where a tie was not certified.
+// Whether an undecided event of the model means that the specification leaves the case open, and not that a tie was not
+// certified.
 bool left_open(const model::Event& event);
 
-// "move (linear, programmed) of line 5": what stands in differences about whole events.
+// "move (linear, programmed) of line 5": the text for a whole event in a difference.
 template <class Number>
 std::string describe(const spec::Event<Number>& event);
 

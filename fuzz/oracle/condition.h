@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scale of an event's coordinates and the condition of its compensation vector, from exact events alone.
+// The scale of an event's coordinates and the condition of its compensation vector, from exact events only.
 #pragma once
 
 #include <array>
@@ -19,26 +19,27 @@ namespace toolcomp::fuzz {
 
 // Follows the events of one run, in order.
 //
-// The vector is what `point` lies off `programmed`, less the shift that G45 to G48 left there before the compensation
-// started: between a cancel and a start-up all of it is shift.
+// The vector is `point` less `programmed`, less the shift of G45 to G48 from before the start of the compensation.
+// Between a cancel and a start-up all of it is shift.
 //
 // A leading edge vector is R · V/|V| with V = (VM × VT) × VT: an error of the directions VM and VT turns it by that
 // error over sin(VM, VT). VM is the next movement, before a cancel the block's own; a vector that is kept keeps its
-// condition. Which of the two made the vector is not asked: the worse counts. Pairs inside the ranges of parameter
-// 19631 made none, and neither did pairs in whose plane the vector does not lie. Corners of cutter compensation: see
-// corner.h; of tool side compensation: see tool_plane.h. Whatever fits counts, and the worst of it.
+// condition. It does not matter which of the two pairs made the vector: the worse one counts. Pairs inside the ranges
+// of parameter 19631 made no vector, and neither did pairs whose plane does not contain the vector. Corners of cutter
+// compensation: see corner.h; of tool side compensation: see tool_plane.h. Every condition that fits counts, and of
+// these the worst.
 //
-// A sample lies between two heads: it has the worse of their scales.
+// A sample is between two heads and has the worse of their scales.
 //
 // The sweep of an arc with a vector, or by R, turns by the errors of its ends and its centre over their distances.
 //
 // Heidenhain: space_scale.h.
 class Conditions {
  public:
-  // `facts`: of the program, where it is at hand (program_facts.h). Kept by reference. `k`: of lengths.
+  // `facts`: of the program, if it is available (program_facts.h). Kept by reference. `k`: of lengths.
   explicit Conditions(const spec::Setup& setup, const ProgramFacts* facts = nullptr,
                       double k = policy::kAnySection.coordinate);
-  // The scale of window[0]; `window` holds the events from it to the next one that moves, or all that follow.
+  // The scale of window[0]; `window` has the events from this one to the next one that moves, or to the last one.
   Scale next(std::span<const model::Event> window);
 
  private:
@@ -61,13 +62,13 @@ class Conditions {
   Vector position_{};         // the same
   Vector vector_{};           // compensation, of the event before
   double condition_ = 1;      // of vector_
-  Heads heads_;               // that may have placed it
-  double rest_ = 1;           // the condition of what else did
+  Heads heads_;               // heads that may have placed it
+  double rest_ = 1;           // condition of everything else that placed it
   Vector point_{};            // of the event before
-  Vector shift_{};            // of point against programmed where there is no vector
+  Vector shift_{};            // of point against programmed, if there is no vector
   bool compensated_ = false;  // from a start-up to a cancel
   Corners corners_;
-  std::optional<ToolPlane> tool_plane_;  // machines whose events carry a tool axis
+  std::optional<ToolPlane> tool_plane_;  // for machines whose events have a tool axis
   const ProgramFacts* facts_;
   PoseErrors pose_;
   std::optional<Scale> of_move_;      // of the move whose samples these are

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reader and the engines of a control. The one place where a setup's control chooses them.
+// The reader and the engines of a control. Only this file chooses them by the control of a setup.
 #pragma once
 
 #include <cstdint>
@@ -41,7 +41,7 @@ struct FanucControl {
   }
 };
 
-// Samples are of tool center point control alone: there are none here.
+// Only tool center point control has samples, so there are none here.
 struct HeidenhainControl {
   using Reader = spec::klartext::Reader;
   using Block = spec::klartext::Block;
@@ -57,7 +57,7 @@ struct HeidenhainControl {
   static Fast fast(const spec::Setup& setup, fast::EventSink& sink, std::uint32_t) { return {setup, sink}; }
 };
 
-// Where the run ends at this block without an alarm; `events`: those that were given before it.
+// Whether, and where, the run ends at this block without an alarm. `events`: the number of events given before it.
 inline std::optional<Beyond> beyond_of(const spec::Block& block, std::size_t events) {
   if (const char* const what = spec::beyond(block)) return Beyond{block.line, block.alarm->column, what, events};
   return std::nullopt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How well the end of a compensation vector in a plane is determined, from the exact events around it.
+// How well the head of a compensation vector in a plane is determined, from the exact events around it.
 #pragma once
 
 #include <array>
@@ -16,14 +16,14 @@ namespace toolcomp::fuzz {
 // A programmed position, exactly.
 using Programmed = spec::AxisValues<model::Real>;
 
-// How the events of a run are looked at.
+// How the events of a run are read.
 struct View {
   std::array<std::size_t, 3> index;  // of X Y Z; Axes::kNone
-  Space shift{};                     // of actual against programmed positions where there is no vector
+  Space shift{};                     // of actual against programmed positions, if there is no vector
   Rounded rounded;
 };
 
-// What moves were made with: the move an event is, or the one it stands for (Event::unmade).
+// The move that the compensation used: the event itself if it is a move, or the move that it replaces (Event::unmade).
 const model::Event* movement(const model::Event& event);
 
 // Corners of cutter compensation B and C.
@@ -33,15 +33,17 @@ const model::Event* movement(const model::Event& event);
 // distance from a line is wrong by the slide of the vector along the line times the error of the line's direction; the
 // distance from a circle by an error of the centre and of the radius. So near a reversal (1 + k → 0) the error grows
 // with the slide, which is what makes the vector long; near a tangent intersection (R'² - h² → 0) with R' over the
-// root. Perpendicular vectors, and those prolonged by r, are determined by one direction, as well as it is; that of an
-// arc by R as well as its centre is (radius_arc.h).
+// root. Perpendicular vectors, and those prolonged by r, are determined by one direction, and are as good as that
+// direction is; in an arc by R, as good as its centre is (radius_arc.h).
 //
-// Which kind a head is, and in which plane it was made, is not asked: whatever fits counts, and the worst of it.
+// It does not matter of which kind a head is, and in which plane it was made: every condition that fits counts, and of
+// these the worst.
 class Corners {
  public:
-  // The error of the head `window[0]` goes to, in multiples of an error of one unit in one unit of length, beyond that
-  // of the vector's own length. `vector` is its compensation vector, `window` as for Conditions::next. `heads`: what
-  // may place it where two conditions cross, in the same multiples; then the error is that of the rest.
+  // The error of the head that `window[0]` goes to, in multiples of an error of one unit in one unit of length, in
+  // addition to that of the vector's own length. `vector` is its compensation vector, `window` as for Conditions::next.
+  // `heads` gets what may place the head at the crossing of two conditions, in the same multiples; the error is then
+  // that of everything else.
   [[nodiscard]] double error(std::span<const model::Event> window, const View& view, const Space& vector,
                              Heads* heads = nullptr) const;
   // Takes the movement of `event`, which starts at `from`.
@@ -56,8 +58,8 @@ class Corners {
 
 // Of X Y Z in the values of an event.
 Space space_of(const spec::AxisValues<model::Real>& values, const std::array<std::size_t, 3>& index);
-// From one to the other, rounded once: the difference of rounded positions carries their errors, far from the origin
-// more than a movement along the tool has across it.
+// The way from one to the other, rounded once. The difference of rounded positions would have their errors, and far
+// from the origin these are larger than the part across the tool of a movement along it.
 Space way_of(const Programmed& from, const Programmed& to, const std::array<std::size_t, 3>& index);
 
 }  // namespace toolcomp::fuzz

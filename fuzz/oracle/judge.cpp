@@ -416,8 +416,9 @@ class Judge {
       for (const Tie& tie : parent.ties)
         for (const Sign outcome : {Sign::negative, Sign::zero, Sign::positive}) {
           if (events > policy::kMaxForkedEvents)
-            return undecided(v, first,
-                             fmt::format("more than {} events with near ties otherwise", policy::kMaxForkedEvents));
+            return undecided(
+                v, first,
+                fmt::format("more than {} events with other outcomes of near ties", policy::kMaxForkedEvents));
           if (outcome == tie.taken) continue;
           std::optional<Forced> forced = forced_too(parent, tie.index, outcome);
           if (!forced || !seen.insert(*forced).second) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One run of the model against one list of events, pair by pair.
+// Compares one run of the model with one list of events, pair by pair.
 #pragma once
 
 #include <array>
@@ -14,9 +14,9 @@
 
 namespace toolcomp::fuzz {
 
-// Every event is compared as it is expected; where that fails, as seen from what the controller has: its rotary
-// positions (pose_fit.h), and inside a block the heads of both ends where two conditions place them (head.h); sweep and
-// radii of an arc with such an end as they are between these heads (arc_fit.h). `Number` is double or exact::Rational.
+// Every event is compared directly. If that fails, it is compared as seen from what the controller has: its rotary
+// positions (pose_fit.h), and inside a block the heads of both ends if two conditions place them (head.h); for an arc
+// with such an end, sweep and radii between these heads (arc_fit.h). `Number` is double or exact::Rational.
 template <class Number>
 class Pairing {
  public:
@@ -27,14 +27,14 @@ class Pairing {
         fit_(rules, setup, facts),
         index_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')} {}
 
-  // The first difference between window[0] and `actual`, or nothing; `window` as for Conditions::next. Pairs are given
-  // in order, none behind a difference.
+  // The first difference between window[0] and `actual`, or std::nullopt; `window` as for Conditions::next. Pairs must
+  // be given in order, and none after a difference.
   std::optional<Difference> next(std::span<const model::Event> window, const spec::Event<Number>& actual, Tally& tally);
 
-  // Goes on behind window[0] without a look at what the controller has there.
+  // Goes on after window[0] without comparing the controller's event.
   void pass(std::span<const model::Event> window);
 
-  // Of the controller's rotary positions.
+  // The deviations of the controller's rotary positions.
   [[nodiscard]] const std::vector<Deviation>& deviations() const { return fit_.deviations(); }
 
  private:
@@ -44,7 +44,7 @@ class Pairing {
   void follow(const model::Event& expected, const spec::Event<Number>& actual);
   std::optional<Difference> compared(const model::Event& expected, const Scale& scale,
                                      const spec::Event<Number>& actual, Tally& tally) const;
-  // X Y Z of the points of both; nothing where the controller does not say.
+  // X Y Z of the points of both; std::nullopt if the controller does not give them.
   struct Heads {
     model::Vector expected;
     std::array<Number, 3> actual{};
@@ -58,7 +58,7 @@ class Pairing {
   PoseFit<Number> fit_;
   std::array<std::size_t, 3> index_;  // of X Y Z
   std::optional<Heads> head_;         // of the move before
-  bool placed_ = false;               // two conditions placed it
+  bool placed_ = false;               // whether two conditions placed it
 };
 
 }  // namespace toolcomp::fuzz

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one policy table: how far a value may lie from the exact one, and when a decision counts as a near tie.
+// The only policy table: how far a value may be from the exact one, and when a decision counts as a near tie.
 //
 //   output                                        rule
 //   kinds and order of events, lines, n, types,   equal exactly
@@ -54,21 +54,22 @@
 
 namespace toolcomp::fuzz::policy {
 
-// What a section's compensation vectors are made of, and so which condition numbers widen them (condition.h).
+// From what a section's compensation vectors are made, which decides the condition numbers that widen them
+// (condition.h).
 enum class VectorFrom : std::uint8_t {
-  none,          // it makes none
+  none,          // there are no vectors
   corner,        // two paths of the plane (corner.h)
   tool_corner,   // two paths in the plane across the tool (tool_plane.h)
   tool_and_way,  // tool and movement
 };
 
 // Multiples of an ulp granted to a section's outputs. Each is the number of roundings of a straightforward evaluation
-// in double precision, not a fit to one engine; the worst value seen is printed by every campaign and stands far below.
+// in double precision, not a fit to one engine. Every campaign prints the worst value seen, which is far below.
 //
-// Of some formulas that number is proved, for the fast engine as it computes them: scripts of spec/formal/rounding,
-// whose bounds over u = 2^-53 of what ulp() is taken of here lie below the row's k (ulp(x) > u |x|). A row stays as
-// wide as it is counted: it is granted to every controller, which may multiply and add in another order, and it covers
-// what no script says. What that is, stands beside the row.
+// For some formulas this number is proved, for the way in which the fast engine computes them: by scripts of
+// spec/formal/rounding, whose bounds, divided by u = 2^-53 times the argument of ulp() here, are below the k of the row
+// (ulp(x) > u |x|). A row keeps the counted width: it is granted to every controller, which may multiply and add in
+// another order, and it covers formulas without a script. The comment of a row names these.
 struct Budget {
   std::string_view section;
   double coordinate;  // sums of programmed position, vector, length offset and workpiece origin
@@ -76,14 +77,14 @@ struct Budget {
   double tool_axis;   // two rotations and a normalisation
   double sweep;       // a difference of two arc tangents in degrees
   VectorFrom vectors = VectorFrom::none;
-  const char* proved = "";  // scripts of spec/formal/rounding, with blanks between
+  const char* proved = "";  // scripts of spec/formal/rounding, separated by blanks
 };
 inline constexpr Budget kBudgets[] = {
     {"fanuc/tool-length-offset", 8, 8, 16, 16},
-    // Sums of decimals, as the length offset.
+    // Sums of decimals, like the length offset.
     {"fanuc/tool-length-measurement", 8, 8, 16, 16},
     {"fanuc/tool-offset", 8, 8, 16, 16},
-    // Sums of decimals; contours between the cycles are cutter compensation, with its row.
+    // Sums of decimals. Contours between the cycles are cutter compensation, and have its row.
     {"fanuc/canned-cycle", 32, 32, 16, 32, VectorFrom::corner, "corner_ahead corner_back"},
     // A normalised normal times the offset (two squares, sum, root, quotient, product), the programmed position and the
     // length offset; the end of an arc twice that, for its sweep. Proved: the vector of straight blocks and of
@@ -114,7 +115,7 @@ inline constexpr Budget kBudgets[] = {
     // and the points.
     {"fanuc/tool-center-point-control", 64, 64, 32, 64, VectorFrom::none, "direction_one_term direction_nutating"},
     // The angle of both directions (squares, products, root, arc tangent: 14), two sines over a third (6), two products
-    // and a sum before that. With tool side compensation its 40 for the point come beside them.
+    // and a sum before that. With tool side compensation its 40 for the point are added.
     {"fanuc/tool-posture-control", 80, 80, 40, 64},
     // Two vectors of three words (squares, sum, root, quotient: 7 each), their double product (14) and its norm (5), a
     // radius out of deltas and a table (6), four terms: 46. Proved: axes 20.3, contact 42.5, tool axis in ulp(1) 1.4 of
@@ -136,25 +137,27 @@ constexpr const Budget& budget(std::string_view section) {
   return kAnySection;
 }
 
-// Micrometres: a value that is granted more than this beside the announced resolution (or more than the resolution,
-// where that is larger) was not judged. An angle, or a component of a unit vector, counts as what it moves at one
-// metre. Such values are counted apart, and where they are more than this share nothing simply conforms.
+// Micrometres. A value that is granted more than this in addition to the announced resolution (or more than the
+// resolution, if that is larger) was not judged. An angle, or a component of a unit vector, counts as its effect at a
+// distance of one metre. Such values are counted separately, and if their share is larger than this one, the verdict is
+// not simply "conforms".
 inline constexpr double kCap = 1;
 inline constexpr double kMostWide = 0.01;
 inline constexpr double kMicrometresAtOneMetre = 1e6;  // of a radian
 
-// Two numbers that count as one where a mistake is looked for that explains a finding (certify/causes/shared_cause.h):
-// of the larger one, or of 1. No verdict rests on it.
+// Two numbers whose difference is below this share of the larger one, or of 1, count as equal in the search for a
+// mistake that explains a finding (certify/causes/shared_cause.h). No verdict rests on it.
 inline constexpr double kSameForCause = 1e-10;
 
-// Setup units, less k: where more would be granted to the head of a vector that two conditions place, it is judged by
-// these (head.h).
+// Setup units, without k. If more than this would be granted to the head of a vector that two conditions place, it is
+// judged by these conditions (head.h).
 inline constexpr double kByConditions = 0x1p-34;
 
 // Degrees: a sweep with an error of this size is not judged.
 inline constexpr double kUnknownSweep = 90;
 
-// The shortest decimal text of a double is at most half an ulp away from it, and the double one from the exact value.
+// The shortest decimal text of a double is at most half an ulp away from the double, and the double is at most one ulp
+// away from the exact value.
 inline constexpr double kConvertedText = 1.5;
 
 // Relative half width of a near tie for an engine in double precision. Decisions are signs of polynomials of degree
@@ -164,25 +167,25 @@ inline constexpr double kConvertedText = 1.5;
 inline constexpr double kDoubleBand = 0x1p-40;
 
 // The same for a controller that computes with lengths of resolution r (setup units) and angles of resolution a
-// degrees: a direction over the shortest move next to the decision is known to 2·r/length, a tool direction to
-// a·pi/180, and a predicate of degree four quadruples either.
+// degrees: the direction of the shortest move next to the decision is known to 2·r/length, a tool direction to
+// a·pi/180, and a predicate of degree four multiplies either by four.
 inline double controller_band(double resolution, double degrees, double shortest_move) {
   constexpr double radians_per_degree = 0.017453292519943295;
   const double direction = shortest_move > 0 ? 2 * resolution / shortest_move : 1;
   return std::fmin(1.0, kDoubleBand + 4 * (direction + degrees * radians_per_degree));
 }
 
-// Of the same, lines: a move counts as next to a decision where it is no farther from its line.
+// For the same, in lines: a move counts as next to a decision if it is at most this number of lines away.
 inline constexpr std::uint64_t kNeighbourhood = 4;
 
 // Clauses whose two sides are sums of decimals of the program and the setup, without product, root or trigonometry. A
-// control compares them in whole numbers of its least increment, so nothing is rounded and an exact tie is no near tie:
-// the ends of a zone belong to it or do not, as the manual says. Three exceptions: lengths that no decimal writes
+// control compares them in whole numbers of its least increment, so nothing is rounded, and an exact tie is not a near
+// tie: the manual says whether the ends of a zone belong to it. Three exceptions: lengths that no decimal writes
 // (millimetres given in a setup in inches), angles at which a table of deviations is read, and a controller that
 // announces a resolution: the numbers of a case may be finer than it, and are rounded before they are compared.
 struct ExactComparison {
   spec::Clause clause;
-  bool only_at_scale_one = false;  // at any other scale the clause compares angles, where nothing is exact
+  bool only_at_scale_one = false;  // at any other scale the clause compares angles, which are not exact
 };
 inline constexpr ExactComparison kExactComparisons[] = {
     // Coordinate commanded, start, signal, offsets in force, and the lengths of 6251 and 6254.
@@ -211,14 +214,14 @@ constexpr bool compares_exactly(spec::Clause clause, bool scale_is_one) {
   return row != std::end(kExactComparisons) && (scale_is_one || !row->only_at_scale_one);
 }
 
-// An undecided event leaves a case open where it names an open clause: an engine must say so too, and of a controller
-// nothing is judged behind it. Two rows go otherwise. Open clauses of these sections define what happens: an undecided
-// event is a decision that was not certified, and so is no verdict.
+// An undecided event leaves a case open if it names an open clause: an engine must report this too, and of a controller
+// the events after it are not judged. There are two exceptions. Open clauses of these sections define what happens, so
+// that an undecided event is a decision that was not certified, and gives no verdict.
 inline constexpr std::string_view kDefinedWhereOpen[] = {"fanuc/tool-center-point-control",
                                                          "fanuc/tool-posture-control"};
 
-// An open clause decided by sign is named where its tie was not certified. Of these the tie itself is open: of an arc
-// seen on edge.
+// An open clause that is decided by sign is named if its tie was not certified. For these clauses the tie itself is
+// open: an arc seen on edge.
 inline constexpr spec::Clause kOpenTies[] = {spec::Clause::fanuc_tool_side_arc_plane};
 
 inline bool leaves_open(spec::Clause clause) {
@@ -228,8 +231,8 @@ inline bool leaves_open(spec::Clause clause) {
   return info.outcomes != spec::ClauseOutcomes::sign || std::ranges::find(kOpenTies, clause) != std::end(kOpenTies);
 }
 
-// Clauses whose quantity is the square of a distance, of a sine: what is off by a share of the scale is off by the
-// square of that share.
+// Clauses whose quantity is the square of a distance or of a sine. If that is off by a share of the scale, the quantity
+// is off by the square of this share.
 inline constexpr spec::Clause kSquares[] = {
     spec::Clause::fanuc_tool_center_point_lean_along_the_travel,
     spec::Clause::fanuc_tool_center_point_parallel_to_the_work_side,
@@ -244,7 +247,7 @@ constexpr bool is_square(spec::Clause clause) {
   return std::find(std::begin(kSquares), std::end(kSquares), clause) != std::end(kSquares);
 }
 
-// Clauses that compare rotary positions: those out of inverse kinematics are off by more than an ulp near singular
+// Clauses that compare rotary positions. Positions from inverse kinematics are off by more than an ulp near singular
 // postures and edges of reach.
 inline constexpr spec::Clause kPositions[] = {
     spec::Clause::fanuc_tool_center_point_choice_first_move,
@@ -262,7 +265,8 @@ constexpr bool compares_positions(spec::Clause clause) {
   return std::find(std::begin(kPositions), std::end(kPositions), clause) != std::end(kPositions);
 }
 
-// What the centre of an arc by R is off by beside its position, less k: an error of its height h over the chord,
+// The error of the centre of an arc by R, in addition to that of its position and without k: an error of its height h
+// above the chord,
 //
 //   h = √(R² - c²), c half the chord.
 //
@@ -272,64 +276,69 @@ constexpr bool compares_positions(spec::Clause clause) {
 // h' + h is no less than √E from h = √E down, and h is off by √E at most, the square root of what R² is rounded by.
 //
 // In the half circle itself, h = 0, the radicand may come out as ±E as well: negative it is no arc, or a half circle
-// (the decision is a near tie), positive it leaves the centre √E beside the chord. Numbers that doubles hold exactly
-// give it exactly.
+// (the decision is a near tie), positive it leaves the centre √E beside the chord. Numbers that are exact doubles give
+// it exactly.
 inline double height_error(double radius, double height, double unit, double k) {
   const double e = k * 2 * radius * unit;
   const double least = std::sqrt(std::fmax(0.0, height * height - e));
   return e / std::fmax(std::sqrt(e), height + least) / k;
 }
 
-// What the oracle reads off the clauses of an event: how its block was run.
+// The clauses of an event by which the oracle sees how its block was run.
 inline constexpr spec::Clause kByRadius = spec::Clause::fanuc_program_arc_radius;
 inline constexpr spec::Clause kHasASide = spec::Clause::fanuc_cutter_side;
 inline constexpr spec::Clause kLeant = spec::Clause::fanuc_tool_center_point_lean;
 inline constexpr spec::Clause kOnAGreatCircle = spec::Clause::fanuc_tool_posture_great_circle;
 inline constexpr spec::Clause kBeginsTipControl = spec::Clause::fanuc_tool_center_point_block;
 
-// Radians: decisions on rotary positions hear of a controller's own where they lie that far off.
+// Radians: decisions on rotary positions take the controller's own positions into account if these are off by at least
+// this much.
 inline constexpr double kDeviation = 1e-9;
 
 // No decision is a near tie for its position alone beyond this band.
 inline constexpr double kWidestBand = 0x1p-12;
 
-// The oracle estimates condition numbers in double: its estimates are widened by this share, far above their rounding.
+// The oracle estimates condition numbers in double. Its estimates are widened by this share, which is far above their
+// rounding.
 inline constexpr double kSlack = 0x1p-30;
 
-// A value of which an enclosure so narrow is at hand, relative to its size, is known well enough for such estimates:
-// some numbers of double.
+// A value with an available enclosure of this width, relative to its size, is known well enough for such estimates:
+// some ulps.
 inline constexpr double kWellKnown = 0x1p-47;
 
-// What an estimate in double may carry of a value that is exactly zero, relative to its terms: a few roundings.
+// The size of an estimate in double of a value that is exactly zero, relative to its terms: a few roundings.
 inline constexpr double kEstimateNoise = 0x1p-44;
 
 // Below this sine a tool is along the work-side axis, by the exact positions of an event (its middle, 2^-100 wide).
 inline constexpr double kExactlyParallel = 0x1p-90;
 
-// A step counts as one of whole increments where it is that but for this share of one.
+// A step counts as a whole number of increments if it differs from that by at most this share of one increment.
 inline constexpr double kWholeStep = 1e-6;
 
-// Radians: directions nearer to one another than this, or to opposite ones, span a plane that doubles hardly know.
+// Radians: two directions that are closer than this to being parallel or opposite span a plane that doubles hardly
+// determine.
 inline constexpr double kHardly = 1e-7;
 
-// Below this sine two paths count as parallel in an estimate: no finite vector of a control's range lies where they
-// cross.
+// Below this sine two paths count as parallel in an estimate: their crossing is outside the range of any control.
 inline constexpr double kParallel = 0x1p-46;
 
-// Of a radius, and degrees: an arc that starts farther from the head before it starts elsewhere (arc_fit.h).
+// As a share of a radius, and in degrees: an arc that starts farther than this from the head before it does not start
+// at that head (arc_fit.h).
 inline constexpr double kSameStart = 1e-6;
 
-// A compensation vector below this share of the noise of its two ends is no vector.
+// A compensation vector smaller than this share of the noise of its two ends does not count as a vector.
 inline constexpr double kNoVector = 0x1p-16;
 
-// Before a verdict on a case is "could not decide": combinations of forced outcomes followed because they explain
-// something new (judge.cpp; a lie between two near singular postures takes 117), and events of the model's runs for all
-// of them. A program of 350 events is run 60 times then, in two seconds; one of ten events 2,000 times.
+// Limits before a verdict on a case is "could not decide": the number of combinations of forced outcomes that are
+// followed because they explain something new (judge.cpp; a wrong value between two near singular postures needs 117),
+// and the number of events of the model's runs for all of them. Up to this limit a program of 350 events is run 60
+// times, in two seconds, and a program of ten events 2,000 times.
 inline constexpr std::size_t kMaxForks = 256;
 inline constexpr std::size_t kMaxForkedEvents = 20'000;
-// Behind an event that is left out, events of the other side that are looked through for the next one of the model.
+// After an event that is left out: the number of events of the other side that are searched for the next event of the
+// model.
 inline constexpr std::size_t kMostSought = 64;
-// Of a streamed program, passes over it.
+// The largest number of passes over a streamed program.
 inline constexpr std::size_t kMaxPasses = 64;
 
 // The distance of neighbouring doubles at |x|; of the smallest normal number at 0.

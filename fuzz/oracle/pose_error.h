@@ -15,17 +15,17 @@
 
 namespace toolcomp::fuzz {
 
-// Of one event, what the policy multiplies its k with.
+// The quantities of one event that the policy multiplies by k.
 struct PoseScale {
-  double direction = 0;                         // of a component of the tool axis, beyond an ulp of 1
-  std::array<double, spec::kMaxAxes> rotary{};  // degrees, beyond an ulp of the value
+  double direction = 0;                         // of a component of the tool axis, in addition to an ulp of 1
+  std::array<double, spec::kMaxAxes> rotary{};  // degrees, in addition to an ulp of the value
   double tip = 0;                               // of every X Y Z
-  bool hardly = false;  // doubles hardly know the plane of the direction, or an arc by R (policy::kHardly)
+  bool hardly = false;  // doubles hardly determine the plane of the direction, or an arc by R (policy::kHardly)
 };
 
-// The angles of the tool-side and the work-side axis: positions of events plus the machine positions of their zeros, as
-// the last event says them that has machine coordinates, at first those of the setup; none where programmed positions
-// are the angles.
+// The angles of the tool-side and the work-side axis are the positions of events plus the machine positions of their
+// zeros. These zeros come from the last event with machine coordinates, and at first from the setup. There are none if
+// programmed positions are the angles.
 class RotaryZeros {
  public:
   RotaryZeros(const spec::Setup& setup, const std::optional<RotaryMachine>& machine);
@@ -43,28 +43,28 @@ class RotaryZeros {
 //
 // A direction is good to e = ulp(1); one that a Q word leans towards the travel is worse as the plane of the two is
 // ill-determined, and so is one inside a block of posture control whose ends are nearly opposite. A rotary position
-// that comes out of a direction is off by e in radians, however small its value. How much more it is off near singular
-// postures and edges of reach is not asked here: what a controller reports there is judged by what it does to the tool
-// (pose_fit.h). Rotary axes that do not turn the tool run evenly: what is between two ends is rounded as these are.
+// that comes out of a direction is off by e in radians, however small its value. The larger errors near singular
+// postures and edges of reach do not matter here: the reported positions are judged by their effect on the tool
+// (pose_fit.h). Rotary axes that do not turn the tool run evenly: positions between two ends have the roundings of the
+// ends.
 class PoseErrors {
  public:
-  // `facts`: of the program, read at least as far as the events that come; without them nothing is leant. Kept by
-  // reference.
+  // `facts`: of the program, read at least as far as the next events. Without them there is no lean. Kept by reference.
   explicit PoseErrors(const spec::Setup& setup, const ProgramFacts* facts = nullptr);
-  // Of window[0]; `window` as for Conditions::next. `turned`: what the travel of the move is off by beyond an ulp of 1,
-  // in radians (radius_arc.h).
+  // Of window[0]; `window` as for Conditions::next. `turned`: the error of the travel direction of the move in addition
+  // to an ulp of 1, in radians (radius_arc.h).
   PoseScale next(std::span<const model::Event> window, double turned = 0);
 
  private:
-  // At the end of a move.
+  // The state at the end of a move.
   struct End {
-    std::optional<std::array<model::Real, 3>> exact;  // the direction as the event says it
-    Space direction{};                                // the same; zero where it says none
+    std::optional<std::array<model::Real, 3>> exact;  // the direction of the event
+    Space direction{};                                // the same; zero if the event has none
     Space point{};
     double error = 0;  // of the direction
     bool hardly = false;
   };
-  // What a direction carries beyond an ulp of 1, as a factor.
+  // The error of a direction in addition to an ulp of 1, as a factor.
   struct Lean {
     double factor = 1;
     bool hardly = false;
@@ -85,26 +85,26 @@ class PoseErrors {
   spec::AxisValues<model::Real> axes_before_;  // of the move before
 };
 
-// From a line on, the rotary positions of a controller lie that far off, in radians, where they may lie.
+// From a line on, the rotary positions of a controller are off by this much, in radians, within what is permitted.
 struct Deviation {
   std::uint64_t after = 0;  // the line whose move ends there
   double radians = 0;
 };
 
-// How many ulps the rotary positions at the ends of a line are off at most, and at the end of the line before: what a
-// decision on them is off by.
+// The largest error, in ulps, of the rotary positions at the ends of a line and at the end of the line before. It is
+// the error of a decision on these positions.
 class PositionErrors {
  public:
   explicit PositionErrors(const spec::Setup& setup) : machine_(RotaryMachine::of(setup)), zeros_(setup, machine_) {}
   // The events of one run, in order.
   void follow(const model::Event& event);
-  // 1 where nothing is known.
+  // 1 if nothing is known.
   [[nodiscard]] double at(std::uint64_t line) const;
-  // What a controller's positions are off by, in order of lines.
+  // Takes the errors of a controller's positions, in order of lines.
   void deviate(std::span<const Deviation> deviations) { deviations_ = deviations; }
-  // Radians, where a line begins.
+  // Radians, at the beginning of a line.
   [[nodiscard]] double deviation(std::uint64_t line) const;
-  // Lines before this one are not asked for any more.
+  // Lines before this one are no longer needed.
   void forget_before(std::uint64_t line) { of_line_.erase(of_line_.begin(), of_line_.lower_bound(line)); }
 
  private:

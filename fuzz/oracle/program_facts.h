@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What scales and conditions need of a program and no event says, and from which block on.
+// Facts of a program that scales and conditions need and that events do not give, with the block from which on they
+// apply.
 #pragma once
 
 #include <cstdint>
@@ -12,24 +13,25 @@
 
 namespace toolcomp::fuzz {
 
-// Where G43.5 is in force, without which all rotary positions are commanded, and the Q that leans directions under it;
-// the units of a Klartext program. Read block by block, so that whole cases and streams know the same of an event.
+// In which lines G43.5 is in force (without it all rotary positions are commanded), and the Q that leans directions
+// under it; the units of a Klartext program. The program is read block by block, so that the facts of an event are the
+// same for whole cases and for streams.
 class ProgramFacts {
  public:
-  // As far as the text can be read.
+  // Reads the text as far as possible.
   static ProgramFacts of(const spec::Case& c);
   void read(const spec::Block& block);
   void read(const spec::klartext::Block& block);
 
-  // Whether rotary positions come out of directions in this line of the program.
+  // Whether rotary positions come from directions in this line of the program.
   [[nodiscard]] bool directed(std::uint64_t line) const;
   // The Q in force under G43.5, degrees.
   [[nodiscard]] double lean(std::uint64_t line) const;
-  // Of BEGIN PGM; without it those of the setup hold.
+  // The units of BEGIN PGM. Without BEGIN PGM, those of the setup apply.
   [[nodiscard]] std::optional<spec::Units> units() const { return units_; }
 
  private:
-  // From a block with G43.4, G43.5 or G49 on.
+  // The mode from a block with G43.4, G43.5 or G49 on.
   struct Mode {
     std::uint64_t line = 0;
     bool directed = false;

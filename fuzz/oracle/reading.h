@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A controller's events with their texts read as the exact rationals they are.
+// Reads the texts of a controller's events as exact rationals.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ class Reading {
   // Both are kept by reference.
   Reading(const spec::Axes& axes, const Rules& rules) : axes_(axes), rules_(rules) {}
 
-  // A text that is no number reads as 0; the field of the first such that is judged goes to bad().
+  // A text that is not a number reads as 0. bad() gives the first judged field with such a text.
   spec::Event<exact::Rational> event(const spec::TextEvent& e);
   [[nodiscard]] const std::optional<Difference>& bad() const { return bad_; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a controller rounds what it tells.
+// How a controller rounds the numbers that it reports.
 #pragma once
 
 #include <cmath>
@@ -20,7 +20,7 @@ struct Resolution {
   [[nodiscard]] bool any() const { return mm > 0 || inch > 0 || degrees > 0 || vectors > 0; }
 };
 
-// How far a number rounded to the increment r may lie from `exact`, on the side of `off` (told less exact).
+// How far a number rounded to the increment r may be from `exact`, on the side of `off` (reported less exact).
 inline double rounded_off(Rounding rounding, double r, double exact, double off) {
   switch (rounding) {
     case Rounding::nearest:
@@ -35,12 +35,12 @@ inline double rounded_off(Rounding rounding, double r, double exact, double off)
   return r;
 }
 
-// How lengths that are rounded lie about the exact ones, in micrometres: rounding has no mean but half an increment at
-// most.
+// The distribution of rounded lengths around the exact ones, in micrometres. Correct rounding has a mean of at most
+// half an increment.
 struct Bias {
   std::uint64_t count = 0;
   double sum = 0;
-  double worst = 0;  // the one that is farthest, with its sign
+  double worst = 0;  // the farthest one, with its sign
 
   void add(double off) {
     ++count;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rotary axes of a machine in double, for scales and conditions: read from the setup here, by neither engine.
+// The rotary axes of a machine in double, for scales and conditions. They are read from the setup here, independently
+// of both engines.
 #pragma once
 
 #include <array>
@@ -19,7 +20,7 @@ struct RotaryMachine {
   Type type = Type::head;
   std::size_t tool = spec::Axes::kNone;  // the tool-side axis; kNone: hypothetical
   std::size_t work = spec::Axes::kNone;
-  double tool_angle = 0;  // at the position 0, degrees: of a hypothetical axis, or where positions have a zero
+  double tool_angle = 0;  // at the position 0, degrees: of a hypothetical axis, or if positions have a zero
   double work_angle = 0;
   double tool_sense = 1;
   double work_sense = 1;
@@ -32,32 +33,32 @@ struct RotaryMachine {
   Space head_step{};   // 19712–19714
   double length = 0;   // the longest tool: largest H value and holder offset (19666)
 
-  // Nothing where 19680 is 0 or makes no sense: then a direction is I J K itself.
+  // std::nullopt if 19680 is 0 or has no valid value: then a direction is I J K itself.
   static std::optional<RotaryMachine> of(const spec::Setup& setup);
 
   // The tool direction seen from the table at its zero pose; positions in degrees.
   [[nodiscard]] Space direction(double tool_position, double work_position) const;
 };
 
-// Of H values and the holder offset (19666): no tool is longer.
+// The largest H value plus the holder offset (19666). No tool is longer.
 double longest_tool(const spec::Setup& setup);
 
 // v rotated about a unit vector by an angle in degrees, right-handed.
 Space rotated(const Space& v, const Space& about, double degrees);
 
-// How far a position of the tool-side axis, and the azimuth it leaves to the work-side axis, are off for a small error
-// of the direction they are made of. All in radians.
+// The errors of a position of the tool-side axis, and of the azimuth that is left to the work-side axis, for a small
+// error of the direction from which they are computed. All in radians.
 struct Posture {
   double polar_sine = 0;   // of the angle between the tool and the work-side axis
   double height_rate = 0;  // |d cos(polar)/d tool| and its own rate: 0 at a pole and at an edge of reach
   double height_bend = 0;
   double azimuth_rate = 0;  // d azimuth/d tool
-  bool singular = false;    // no azimuth at all, as far as doubles can tell
+  bool singular = false;    // no azimuth at all, within double precision
   bool at_a_pole = true;    // the edge of reach nearest to it is a singular posture
 
   Posture(const RotaryMachine& machine, double tool_position);
-  // The root of rate δ + bend δ²/2 = sine e + e²/2: δ is e at a pole of an orthogonal machine and √(2e) at an edge.
-  // Where the edge is no pole the height itself is compared with it: its rounding, e, stands on the right.
+  // The root of rate δ + bend δ²/2 = sine e + e²/2: δ is e at a pole of an orthogonal machine and √(2e) at an edge. If
+  // the edge is not a pole, the height itself is compared with it, and its rounding, e, is on the right side.
   [[nodiscard]] double tool_error(double direction_error) const;
   [[nodiscard]] double work_error(double direction_error) const;
 };

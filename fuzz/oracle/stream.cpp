@@ -23,7 +23,7 @@ Verdict run(stream::Pass<Control>& pass, typename Control::Reader program, void 
   return pass.end();
 }
 
-constexpr std::string_view kNearTie = "a difference beside a near tie, in a program that can be read only once";
+constexpr std::string_view kNearTie = "a difference next to a near tie, in a program that can be read only once";
 
 // Depth first along the chain of forks that each move the difference on; the first pass is the one without choices.
 template <class Control>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Both engines in step over a program of any length: one pass, block by block.
+// Runs both engines in step over a program of any length: one pass, block by block.
 #pragma once
 
 #include <algorithm>
@@ -25,12 +25,14 @@ namespace toolcomp::fuzz::stream {
 using exact::Sign;
 using spec::EventKind;
 
-// Blocks between two fresh recorders, so that the decisions kept stay bounded.
+// Number of blocks between two new recorders, which bounds the number of kept decisions.
 inline constexpr std::uint64_t kBlocksInEpoch = 256;
-// Moves an engine may be behind the other, and those needed to know the next movement (both look-aheads are shorter).
+// The largest number of moves by which one engine may be behind the other, plus the moves needed for the next movement
+// (both look-aheads are shorter).
 inline constexpr std::size_t kMaxLag = 64;
 inline constexpr std::size_t kWindow = 8;
-// Events held back for the next movement: with more samples than that the samples of one block fill the window.
+// Number of events held back for the next movement. With more samples than this, the samples of one block fill the
+// window.
 inline constexpr std::size_t kMostHeld = 20'000;
 
 // A decision of a streamed run: epochs have their own recorders, so indices count from the start of one.
@@ -41,7 +43,7 @@ struct Place {
 };
 using Choices = std::map<Place, Sign>;
 
-// Events that wait, one behind another in memory.
+// Waiting events, consecutive in memory.
 template <class Event>
 class Waiting {
  public:
@@ -52,7 +54,7 @@ class Waiting {
   [[nodiscard]] const Event& operator[](std::size_t i) const { return events_[first_ + i]; }
 
   void push_back(const Event& event) {
-    // Those that are gone are half of them at least.
+    // At least half of them have been removed.
     if (first_ >= kGone && first_ >= size()) {
       events_.erase(events_.begin(), events_.begin() + static_cast<std::ptrdiff_t>(first_));
       first_ = 0;
@@ -88,8 +90,8 @@ struct Actual final : spec::EventSink<Number> {
 template <class Control, class Fast = typename Control::Fast, class Number = double>
 class Pass {
  public:
-  // `fast`: makes it, given what the model has given and where its own events go. `agreed`: called with every event
-  // that has agreed.
+  // `fast` makes the other side from the events of the model and the place for its own events. `agreed` is called with
+  // every event that agreed.
   template <class MakeFast>
   Pass(Rules rules, const spec::Setup& setup, std::uint32_t samples, const Choices& choices, const MakeFast& fast,
        std::function<void(const model::Event&)> agreed = {})
@@ -106,7 +108,7 @@ class Pass {
   Pass(const Pass&) = delete;
   Pass& operator=(const Pass&) = delete;
 
-  // What follows changes nothing.
+  // Whether further blocks change nothing.
   [[nodiscard]] bool over() const { return done() || (model_.stopped() && fast_.stopped()); }
 
   void block(const typename Control::Block& block) {
@@ -119,7 +121,7 @@ class Pass {
     ++blocks_;
     compare_pairs(std::min(kWindow * per_move_, kMostHeld));
   }
-  // No block follows: the verdict.
+  // Ends the pass and returns the verdict.
   Verdict end() {
     if (!done()) {
       model_.end();
@@ -139,7 +141,7 @@ class Pass {
     return verdict_;
   }
 
-  // Near ties of the epochs that are kept with the outcomes taken, the latest first.
+  // The near ties of the kept epochs, with the outcomes that were taken, the latest first.
   [[nodiscard]] std::vector<std::pair<Place, Sign>> near_ties() const {
     std::vector<std::pair<Place, Sign>> result;
     collect(recorder_, epoch_, result);
@@ -147,16 +149,16 @@ class Pass {
     return result;
   }
   [[nodiscard]] std::size_t events() const { return compared_; }
-  // How often each was reached; after the end.
+  // How often each clause was reached. To be called after the end.
   [[nodiscard]] const std::vector<model::ClauseCount>& clauses() const { return clauses_; }
 
  private:
   [[nodiscard]] bool done() const { return verdict_.difference || undecided_; }
 
-  // An epoch ends before the block of this line. Decisions of the one that has ended may be about lines held from the
-  // one before it: their positions stay.
+  // An epoch ends before the block of this line. Decisions of the epoch that ended may be about lines held from the
+  // epoch before it, so the positions of those lines are kept.
   void next_epoch(std::uint64_t line) {
-    // By now the events of the epoch before are out, and with them the positions its decisions were made of.
+    // Now all events of the epoch before have been given, and with them the positions on which its decisions rest.
     if (previous_) count(*previous_);
     previous_ = std::move(recorder_);
     recorder_ = model::Recorder(true);
@@ -189,13 +191,13 @@ class Pass {
   // Compares while both sides have an event and the model's next `window` events are known.
   void compare_pairs(std::size_t window) {
     while (!done() && !expected_.events.empty() && !actual_.events.empty() && expected_.events.size() > window) {
-      // What a controller does where a case is left open is not known.
+      // It is not known what a controller does if a case is left open.
       const bool known = std::is_same_v<Number, double> && left_open(expected_.events.front());
       if (expected_.events.front().kind == EventKind::undecided && !known) {
         undecided_ = true;
         return;
       }
-      // Where an event that is left out differs the run is judged with all events at hand.
+      // If an event that is left out differs, the run is judged with all events in memory.
       const bool left_out = rules_.leaves_out(expected_.events.front());
       Tally unused;
       verdict_.difference = pairing_.next(look_ahead(), actual_.events.front(), left_out ? unused : tally_);
@@ -215,7 +217,7 @@ class Pass {
       leftovers();
   }
 
-  // The event to compare and the moves behind it; samples between them say nothing about the next movement.
+  // The event to compare and the moves after it. Samples in between give no information about the next movement.
   std::span<const model::Event> look_ahead() {
     const std::span<const model::Event> events = expected_.events.all();
     const auto next = events.first(std::min(kWindow, events.size()));
@@ -272,7 +274,7 @@ class Pass {
   std::function<void(const model::Event&)> agreed_;
   std::vector<model::Event> window_;
   Tally tally_;
-  std::vector<model::ClauseCount> clauses_{spec::kClauseCount};  // of the recorders counted
+  std::vector<model::ClauseCount> clauses_{spec::kClauseCount};  // of all recorders so far
   std::size_t compared_ = 0;
   bool undecided_ = false;
   Verdict verdict_;

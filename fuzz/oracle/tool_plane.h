@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How well the end of a compensation vector is determined in the plane at right angles to the tool.
+// How well the head of a compensation vector is determined in the plane at right angles to the tool.
 #pragma once
 
 #include <array>
@@ -20,12 +20,11 @@ namespace toolcomp::fuzz {
 // vector made of one of them (perpendicular, or prolonged by r) has that condition; where two offset lines cross, n1·V
 // = r and n2·V = r, an error of n moves the head by weight · slide along the other line over the sine of their angle:
 // near 1 + c = 0 the slide is what makes the vector long, near |u| = 0 the weight grows. The same with the radius of an
-// arc, from the projected centre, in the place of U; that of an arc by R has the weight of its centre besides. A
-// movement nearer to the tool than policy::kParallel has no direction in double; the model's decision on it is a near
-// tie.
+// arc, from the projected centre, in the place of U; an arc by R has the weight of its centre in addition. A movement
+// nearer to the tool than policy::kParallel has no direction in double; the model's decision on it is a near tie.
 //
-// Which blocks made a vector is not asked: the last two movements before it and the next ones are tried, and the worst
-// of what fits counts.
+// It does not matter which blocks made a vector: the last two movements before it and the next ones are tried, and the
+// worst one that fits counts.
 class ToolPlane {
  public:
   // As Corners::error; `tool` is the unit direction with which the vector was made.
@@ -42,7 +41,7 @@ class ToolPlane {
     Space way{};                  // from start to end
     std::optional<Space> center;  // of an arc; its coordinate across the arc's plane is not set
     std::size_t across = 0;       // that coordinate
-    double weight = 1;            // of what leads out of the centre
+    double weight = 1;            // of directions that start in the centre
   };
   static std::optional<Piece> piece(const model::Event& event, const View& view, const Programmed& from);
 

@@ -62,7 +62,7 @@ std::uint64_t hold_laws(const spec::Case& c, const ModelRun& run, Verdict& verdi
   Difference& d = verdict.difference.emplace();
   d.kind = "law";
   d.expected = violation.text;
-  d.actual = violation.amount.empty() ? "not so" : violation.amount;
+  d.actual = violation.amount.empty() ? "does not hold" : violation.amount;
   d.field = violation.law;
   d.line = violation.line;
   d.event = violation.event;

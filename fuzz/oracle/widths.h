@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How wide the widths are that the policy granted, over many values.
+// Statistics of the widths that the policy granted, over many values.
 #pragma once
 
 #include <array>
@@ -8,10 +8,10 @@
 
 namespace toolcomp::fuzz {
 
-// In micrometres; an angle, or a component of a unit vector, counts as what it moves at the end of one metre.
+// In micrometres. An angle, or a component of a unit vector, counts as its effect at a distance of one metre.
 class Widths {
  public:
-  // `known`: in a situation in which doubles hardly know the value (README, widths).
+  // `known`: in a situation in which doubles hardly determine the value (README, widths).
   void add(double um, bool known = false);
   void add(const Widths& more);
 
@@ -20,9 +20,9 @@ class Widths {
   // Share of the values that were granted more than a nanometre, and more than a micrometre.
   [[nodiscard]] double share_above_nm() const { return share(above_nm_); }
   [[nodiscard]] double share_above_um() const { return share(above_um_); }
-  // Values granted more than a micrometre elsewhere than in a known situation.
+  // The number of values that were granted more than a micrometre and not in a known situation.
   [[nodiscard]] std::uint64_t unexpected() const { return unexpected_; }
-  // A width that at least this share of the values stay below, rounded up to a power of two; 0 <= share <= 1.
+  // The width that this share of the values does not exceed, rounded up to a power of two; 0 <= share <= 1.
   [[nodiscard]] double quantile(double share) const;
 
  private:
@@ -32,7 +32,7 @@ class Widths {
     return count_ == 0 ? 0 : static_cast<double>(part) / static_cast<double>(count_);
   }
 
-  std::array<std::uint32_t, kBins> bins_{};  // by powers of two; the first also holds what is smaller, and 0
+  std::array<std::uint32_t, kBins> bins_{};  // by powers of two; the first one also counts smaller values, and 0
   std::uint64_t count_ = 0;
   std::uint64_t above_nm_ = 0;
   std::uint64_t above_um_ = 0;

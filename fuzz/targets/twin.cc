@@ -44,8 +44,8 @@ void report() {
   for (std::size_t i = 1; i < kAcceptances; ++i)
     if (g_result.acceptance.at(i) != 0)
       text += fmt::format(", {} {}", name(static_cast<Acceptance>(i)), g_result.acceptance.at(i));
-  fmt::print(stderr, "{}\n{} questions of laws; worst {:.3g} ulp, {:.3g} um\n", text, g_result.law_checks,
-             g_result.worst_ulp, g_result.worst_um);
+  fmt::print(stderr, "{}\n{} law checks; worst {:.3g} ulp, {:.3g} um\n", text, g_result.law_checks, g_result.worst_ulp,
+             g_result.worst_um);
   // A campaign judges the sum of its workers.
   if (diary == nullptr && g_mode == Mode::directed && g_result.executions >= kEnoughToJudge &&
       g_result.accepted_share() < kDirectedFloor) {

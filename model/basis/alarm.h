@@ -15,10 +15,10 @@ namespace toolcomp::model {
 
 using spec::AlarmCause;
 
-// The block at fault makes nothing at all; the run ends with this alarm (docs/events.md, rules 4 and 5).
+// Ends the run with this alarm. The block at fault gives nothing else (docs/events.md, rules 4 and 5).
 class Alarm : public std::exception {
  public:
-  // `more`: a static text that says more than the table of alarms; nullptr: none does.
+  // `more`: a static text that says more than the table of alarms; nullptr if there is none.
   explicit Alarm(AlarmCause raised, const char* more = nullptr)
       : cause(raised), message(more != nullptr ? more : spec::info(raised).text) {}
   [[nodiscard]] const char* what() const noexcept override { return message; }
@@ -27,8 +27,8 @@ class Alarm : public std::exception {
   const char* message;     // static text
   std::uint64_t line = 0;  // of the block at fault; 0: the block being interpreted
   std::optional<std::uint64_t> n;
-  std::shared_ptr<const Event> unmade;  // its move, where those before it were made with it
-  Real crossing;  // of interference: by how much the paths cross, setup units; 0: that is no length
+  std::shared_ptr<const Event> unmade;  // its move, if the moves before it were computed with it
+  Real crossing;  // of interference: by how much the paths cross, in setup units; 0 if this is not a length
 };
 
 // The specification leaves open what a block does: the run ends with an `undecided` event that names the clause.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sums of how often clauses were reached, of several runs.
+// Sums of the clause counts of several runs.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace toolcomp::model {
 
-// One run more. Both are of all clauses.
+// Adds one run. Both lists have all clauses.
 inline void add(std::vector<ClauseCount>& sum, std::span<const ClauseCount> counts) {
   for (std::size_t i = 0; i < sum.size(); ++i) {
     sum[i].reached += counts[i].reached;

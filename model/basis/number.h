@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the decimals of a program and of a setup are worth.
+// The values of the decimals of a program and of a setup.
 #pragma once
 
 #include "model/basis/recorder.h"
@@ -11,10 +11,10 @@ namespace toolcomp::model {
 
 using exact::Rational;
 
-// The decimal as it stands.
+// The value of the decimal as it is written.
 Rational plain(const spec::Decimal& value);
 
-// Values of program words in setup units: inch or mm input (G20, G21), and least input increments where a number is
+// Values of program words in setup units: inch or mm input (G20, G21), and least input increments if a number is
 // written without decimal point (parameter 3401#0). Clauses: fanuc.program.units, fanuc.program.least-increments.
 class Numbers {
  public:

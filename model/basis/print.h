@@ -10,14 +10,14 @@
 namespace toolcomp::model {
 
 // Appends the value correctly rounded to `digits` decimals, half to even, without trailing zeros and never as -0.
-// Throws exact::Undecided where the digits cannot be certified.
+// Throws exact::Undecided if the digits cannot be certified.
 void append_number(std::string& out, const Real& value, int digits);
 
-// The value as golden vectors hold it: v correctly rounded to `digits` decimals, r half a unit of the last of them (0
-// where v is the value itself), q the fraction where the value is rational. Throws exact::Undecided.
+// The value in the form of golden vectors: v is correctly rounded to `digits` decimals, r is half a unit of the last of
+// them (0 if v is the value itself), q is the fraction if the value is rational. Throws exact::Undecided.
 spec::NumberText number_text(const Real& value, int digits);
 
-// The event with every number as number_text gives it.
+// The event with every number in the form of number_text.
 spec::TextEvent text_event(const Event& event, int digits);
 
 }  // namespace toolcomp::model

@@ -27,7 +27,8 @@ struct ClauseCount {
   std::uint64_t tie = 0;
 };
 
-// One decision by sign: `quantity` against zero; |quantity| <= scale, so |quantity| / scale is the relative margin.
+// One decision by sign: `quantity` compared with zero. |quantity| <= scale, so that |quantity| / scale is the relative
+// margin.
 struct Decision {
   Clause clause{};
   std::uint64_t line = 0;  // of the block being interpreted
@@ -40,7 +41,7 @@ struct Decision {
 // way"). One run, one recorder.
 class Recorder {
  public:
-  // Keeps every decision by sign if `keep_decisions`; else counts only.
+  // Keeps every decision by sign if `keep_decisions` is true; otherwise only counts.
   explicit Recorder(bool keep_decisions = false) : counts_(spec::kClauseCount), keep_(keep_decisions) {}
 
   // Takes `outcome` at the decision with this index (from 0, in the order of the run).
@@ -48,20 +49,20 @@ class Recorder {
 
   // The certified sign of `quantity`, recorded under `clause`; or the forced outcome. Throws exact::Undecided.
   Sign decide(Clause clause, const Real& quantity, const Real& scale);
-  // A decision by a fact; returns `fact`. The clause belongs to the event where the fact holds.
+  // A decision by a fact; returns `fact`. The clause belongs to the event if the fact is true.
   bool decide(Clause clause, bool fact);
   // A clause without alternatives was applied.
   void reach(Clause clause);
 
-  // The line the decisions belong to, and where clauses applied from now on are listed for the next event.
+  // Sets the line of the decisions, and of the clauses applied, from now on.
   void at(std::uint64_t line) { line_ = line; }
 
-  // A clause that was asked, and that the next event rests on although what it asks does not hold.
+  // Adds a clause on which the next event rests, although its condition is not true.
   void list(Clause clause) { applied_.add(clause); }
 
   // The clauses applied since the last call, for the event they produced.
   spec::ClauseList take_clauses();
-  // Gives back those of an event that is made further; others must have been taken.
+  // Gives back the clauses of an event that is continued. Other clauses must have been taken before.
   void resume(spec::ClauseList clauses) { applied_ = std::move(clauses); }
 
   // The line given last.

@@ -14,9 +14,8 @@ namespace toolcomp::exact {
 /// The angles of one proof: whole multiples of a full turn / order.
 class Circle {
  public:
-  /// The coarsest circle with 360 degrees that holds all angles whose denominators divide `denominator`.
-  /// Throws OutOfWork if it does not fit a machine word (angles of more than 15 decimals) or has a prime factor above
-  /// 1000.
+  /// The coarsest circle with 360 degrees that contains all angles whose denominators divide `denominator`. Throws
+  /// OutOfWork if it does not fit a machine word (angles of more than 15 decimals) or has a prime factor above 1000.
   explicit Circle(const Integer& denominator);
 
   [[nodiscard]] std::int64_t order() const { return order_; }
@@ -34,7 +33,7 @@ class Circle {
   std::vector<std::int64_t> odd_primes_;
 };
 
-/// coefficient * 2 cos(angle), or just the coefficient where the angle is 0.
+/// coefficient * 2 cos(angle), or just the coefficient if the angle is 0.
 struct CosineTerm {
   std::int64_t angle;  ///< a multiple on the circle, from 0 to below a quarter turn
   Integer coefficient;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Enclosures: closed intervals with MPFR endpoints. Every operation rounds outwards, so the result contains every value
-// the operation takes on points of its operands. There are no comparison operators, only signs that are certain.
+// Enclosures: closed intervals with MPFR endpoints. Every operation rounds outwards, so that the result contains every
+// value that the operation takes on points of its operands. There are no comparison operators, only signs that are
+// certain.
 #pragma once
 
 #include <gmp.h>
@@ -16,7 +17,7 @@ namespace toolcomp::exact {
 /// Precision of the enclosure every node carries, in bits.
 inline constexpr mpfr_prec_t base_precision = 128;
 
-/// The endpoints; who owns their limbs is said by the derived types. Endpoints may be infinite, never NaN.
+/// The endpoints. The derived types own their limbs. Endpoints may be infinite, never NaN.
 struct Interval {
   mpfr_t lower;
   mpfr_t upper;
@@ -53,24 +54,25 @@ struct HeapInterval : Interval {
   HeapInterval& operator=(HeapInterval&&) = delete;
 };
 
-/// The sign that all points share; none if the interval holds zero and other points.
+/// The sign that all points have; std::nullopt if the interval contains zero and other points.
 std::optional<Sign> certain_sign(const Interval& x);
 
-// Each sets `result`, which must be another object than the operands, at its own precision.
-/// numerator / denominator, the only way in for a rational; they may have a common divisor, the second is positive.
+// Each sets `result`, at the precision of `result`. It must not be one of the operands.
+/// numerator / denominator, the only way to set a rational. They may have a common divisor; the denominator is
+/// positive.
 void set(Interval& result, mpz_srcptr numerator, mpz_srcptr denominator);
 void set(Interval& result, const mpz_t value);
 void set(Interval& result, const Interval& x);
-/// Keeps of `result` what is also in `x`; both must enclose one value.
+/// Keeps the part of `result` that is also in `x`. Both must enclose the same value.
 void intersect(Interval& result, const Interval& x);
 void negate(Interval& result, const Interval& x);
 void add(Interval& result, const Interval& x, const Interval& y);
 void subtract(Interval& result, const Interval& x, const Interval& y);
 void multiply(Interval& result, const Interval& x, const Interval& y);
 void square(Interval& result, const Interval& x);
-/// The divisor is not zero, though its enclosure may hold zero; then every real number is in the result.
+/// The divisor is not zero, though its enclosure may contain zero. Then the result contains every real number.
 void divide(Interval& result, const Interval& x, const Interval& y);
-/// The argument is not negative, though its enclosure may reach below zero: it is clamped there.
+/// The argument is not negative. Its enclosure may reach below zero, and is clamped at zero.
 void root(Interval& result, const Interval& x);
 
 }  // namespace toolcomp::exact

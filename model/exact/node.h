@@ -29,7 +29,7 @@ enum class Kind : std::uint8_t {
   pi
 };
 
-/// What is known of a node's sign beyond its enclosure.
+/// What is known of a node's sign in addition to its enclosure.
 enum class Knowledge : std::uint8_t { none, negative, positive, undecided };
 
 /// One value. Rational 0 is the null pointer; a node proven zero becomes a rational with value 0.
@@ -68,25 +68,25 @@ struct Node {
   [[nodiscard]] bool is_rational() const { return kind == Kind::rational; }
   [[nodiscard]] bool has_value() const { return is_rational() || kind == Kind::sine || kind == Kind::cosine; }
   [[nodiscard]] bool is_zero() const { return is_rational() && value.sign() == 0; }
-  /// The enclosure in double, made now for a rational that has none yet.
+  /// The enclosure in double. For a rational without one it is made now.
   const DoubleEnclosure& bounds() {
     if (!bounded) make_bounds();
     return bounds_in_double;
   }
-  /// The enclosure at base_precision, made now where there is none yet: below this node too, without recursion.
+  /// The enclosure at base_precision. If it is missing, it is made now, also for the nodes below, without recursion.
   const Interval& base_enclosure();
-  /// The best enclosure at hand.
+  /// The best available enclosure.
   const Interval& best_enclosure() { return refined ? static_cast<const Interval&>(*refined) : base_enclosure(); }
-  /// Replaces an operation that was proven zero by the rational 0.
+  /// Replaces an operation by the rational 0, after a proof that it is zero.
   void become_zero();
 
  private:
   void make_bounds();
   bool has_open_operand();
-  void make_enclosure();  // the operands have theirs
+  void make_enclosure();  // the operands must have theirs
 };
 
-/// A node out of this thread's pool with one reference and no operands.
+/// A node from the pool of this thread, with one reference and no operands.
 Node* new_node(Kind kind);
 /// Drops one reference; nodes no longer referenced go back to the pool, without recursion.
 void release(Node* node) noexcept;
@@ -96,7 +96,7 @@ void release(Node* node) noexcept;
 template <class Enter>
 void operands_first(Node* root, std::vector<Node*>& list, Enter enter);
 
-/// A stamp no node carries yet; two are taken: the stamp itself and the one before it.
+/// A stamp that no node has yet. Two stamps are used up: this one and the one before it.
 std::uint64_t new_visit();
 
 template <class Enter>

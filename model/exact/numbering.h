@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nodes that were made alike, told by their numbers.
+// Numbers for nodes, by which nodes that were made in the same way are recognised.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +12,17 @@
 
 namespace toolcomp::exact {
 
-/// Numbers from 0 on for the nodes of an expression; nodes made alike, by the same operation on alike operands (of sums
-/// and products in either order), have one, and one value.
+/// Numbers from 0 on for the nodes of an expression. Nodes made in the same way, by the same operation on operands made
+/// in the same way (for sums and products in either order), have the same number, and the same value.
 class Numbering {
  public:
-  /// Numbers a node whose operands have their numbers. It is not to change as long as the numbering lasts.
+  /// Numbers a node whose operands have numbers already. The node must not change as long as the numbering exists.
   void add(const Node& node) { numbers_.emplace(&node, first_.try_emplace(making(node), first_.size()).first->second); }
 
   [[nodiscard]] std::size_t size() const { return first_.size(); }
   [[nodiscard]] std::size_t of(const Node& node) const { return numbers_.at(&node); }
-  /// Whether a node with a number is the difference of two made alike: zero, whatever they are.
+  /// Whether a node with a number is the difference of two nodes made in the same way. Then it is zero, whatever they
+  /// are.
   [[nodiscard]] bool is_zero(const Node& node) const {
     return node.kind == Kind::difference && of(*node.left) == of(*node.right);
   }

@@ -13,11 +13,11 @@
 
 namespace toolcomp::exact {
 
-/// The whole numbers of the language that a number of ours may be made of.
+/// The integer types of the language from which a number may be made.
 template <class T>
 concept Whole = std::integral<T> && !std::same_as<T, bool> && sizeof(T) <= sizeof(long);
 
-/// An integer. Quotients and remainders are rounded towards zero, as those of the language; std::overflow_error where
+/// An integer. Quotients and remainders are rounded towards zero, as those of the language; std::overflow_error if
 /// the divisor is zero.
 class Integer {
  public:
@@ -29,7 +29,7 @@ class Integer {
     else
       mpz_init_set_ui(value_, number);
   }
-  explicit Integer(const std::string& text);  ///< of decimal digits behind a sign or none; std::invalid_argument
+  explicit Integer(const std::string& text);  ///< of decimal digits, with or without sign; std::invalid_argument
   Integer(const Integer& other) { mpz_init_set(value_, other.value_); }
   Integer(Integer&& other) noexcept {
     mpz_init(value_);
@@ -50,7 +50,7 @@ class Integer {
   [[nodiscard]] int sign() const { return mpz_sgn(value_); }
   [[nodiscard]] bool is_zero() const { return sign() == 0; }
   [[nodiscard]] std::string str() const;  ///< decimal
-  /// The value, or the nearest end of the type.
+  /// The value, or the nearest limit of the type.
   template <Whole T>
   explicit operator T() const {
     if (*this < Integer(std::numeric_limits<T>::min())) return std::numeric_limits<T>::min();
@@ -97,7 +97,7 @@ Integer pow(const Integer& base, unsigned exponent);
 Integer power_of_ten(unsigned exponent);
 Integer sqrt(const Integer& x);  ///< rounded down; x is not negative
 
-/// A rational number. std::overflow_error where a denominator or divisor is zero.
+/// A rational number. std::overflow_error if a denominator or divisor is zero.
 class Rational {
  public:
   Rational() { mpq_init(value_); }
@@ -135,10 +135,10 @@ class Rational {
   ~Rational() { mpq_clear(value_); }
 
   [[nodiscard]] mpq_srcptr raw() const { return value_; }
-  [[nodiscard]] mpq_ptr raw() { return value_; }  ///< who changes it leaves lowest terms
+  [[nodiscard]] mpq_ptr raw() { return value_; }  ///< after a change through it the number may not be in lowest terms
   [[nodiscard]] int sign() const { return mpq_sgn(value_); }
   [[nodiscard]] bool is_zero() const { return sign() == 0; }
-  [[nodiscard]] double to_double() const;  ///< the nearest that is normal
+  [[nodiscard]] double to_double() const;  ///< the nearest normal double
   [[nodiscard]] std::string str() const;   ///< "p" or "p/q"
 
   Rational& operator+=(const Rational& x);
@@ -166,7 +166,7 @@ class Rational {
 Integer numerator(const Rational& x);
 Integer denominator(const Rational& x);  ///< positive
 Rational abs(Rational x);
-Integer floor(const Rational& x);  ///< the greatest integer that is not greater
+Integer floor(const Rational& x);  ///< the greatest integer that is not greater than x
 
 std::ostream& operator<<(std::ostream& out, const Integer& x);
 std::ostream& operator<<(std::ostream& out, const Rational& x);

@@ -11,8 +11,9 @@
 
 namespace toolcomp::exact {
 
-/// Common divisors cost more than all the rest, so that they are left in while numbers are short. Numbers of programs
-/// are decimals, and so are their sums and products: digits over a power of ten. Long numbers are in lowest terms.
+/// Removing common divisors costs more than everything else, so they stay in while numbers are short. Numbers of
+/// programs are decimals, and so are their sums and products: digits over a power of ten. Long numbers are in lowest
+/// terms.
 class RationalValue {
  public:
   RationalValue() { mpq_init(value_); }
@@ -34,17 +35,17 @@ class RationalValue {
   void set(long value);
   void set(mpq_srcptr value);  ///< in lowest terms
 
-  // Each sets this, another object than the operands, to the result.
+  // Each sets this object to the result. It must not be one of the operands.
   void negate(const RationalValue& x);
   void invert(const RationalValue& x);  ///< x is not 0
   void add(const RationalValue& x, const RationalValue& y) { add(x, y, false); }
   void subtract(const RationalValue& x, const RationalValue& y) { add(x, y, true); }
   void multiply(const RationalValue& x, const RationalValue& y);
   void divide(const RationalValue& x, const RationalValue& y);  ///< y is not 0
-  /// False, and this is lost, where the root is irrational; x is not negative.
+  /// Returns false, and the value of this object is lost, if the root is irrational; x is not negative.
   bool root(const RationalValue& x);
 
-  /// Gives limbs beyond so many back; the value may be lost.
+  /// Releases limbs beyond this number; the value may be lost.
   void trim(int kept_limbs);
 
  private:
@@ -54,13 +55,13 @@ class RationalValue {
   [[nodiscard]] std::size_t limbs() const { return mpz_size(numerator()) + mpz_size(denominator()); }
   void add(const RationalValue& x, const RationalValue& y, bool negative);
   void add_decimals(const RationalValue& x, const RationalValue& y, bool negative);
-  void settle();  // of a value in lowest terms: is it a decimal?
+  void settle();  // of a value in lowest terms: checks whether it is a decimal
 
-  // Besides the numbers of decimals.
+  // Special values in place of a number of decimals.
   static constexpr std::int32_t kLowestTerms = -1;
   static constexpr std::int32_t kQuotient = -2;  // that may have a common divisor
 
-  mpq_t value_;                // of decimals the numerator alone counts
+  mpq_t value_;                // of a decimal only the numerator is used
   std::int32_t decimals_ = 0;  // the denominator is this power of ten
 };
 

@@ -55,7 +55,7 @@ class Real {
   // Bounds of relative width about 2^-bits (exact for rationals, wider if undecided; Undecided if there are none).
   [[nodiscard]] Enclosure enclosure(int bits = 100) const;
   [[nodiscard]] DoubleEnclosure double_enclosure() const;
-  // Bounds at hand: some numbers of double wide, and more where much cancels; their ends may be infinite.
+  // Available bounds: some ulps wide, and wider if much cancels. Their ends may be infinite.
   [[nodiscard]] DoubleEnclosure rough_enclosure() const;
   // Correctly rounded to `digits` decimals (half to even), trailing zeros removed, never "-0". Throws Undecided.
   [[nodiscard]] std::string decimal(int digits) const;
@@ -89,13 +89,15 @@ Real operator/(const Real& a, const Real& b);
 Real sqrt(const Real& a);
 Real sin_degrees(const Rational& degrees);
 Real cos_degrees(const Rational& degrees);
-// The angle of this tangent, in degrees between -90 and 90. A sum with it is proven to be zero only where that holds
+// The angle of this tangent, in degrees between -90 and 90. A sum with it is proven to be zero only if that holds
 // for any number in its place.
 Real arctangent_degrees(const Real& tangent);
-// Sine and cosine of any angle in degrees: of a rational as above, else of zeros the same is true.
+// Sine and cosine of any angle in degrees. For a rational angle, as above; for other angles, the same is true of zeros
+// as for arc tangents.
 Real sin_real_degrees(const Real& degrees);
 Real cos_real_degrees(const Real& degrees);
-// For what hangs on the length of an arc. It is transcendental: among algebraic numbers every zero is proven.
+// For values that depend on the length of an arc. Pi is transcendental, so every zero among algebraic numbers and pi is
+// proven.
 Real pi();
 Real square(const Real& a);
 
@@ -111,7 +113,7 @@ inline bool operator>(const Real& a, const Real& b) { return b < a; }
 inline bool operator<=(const Real& a, const Real& b) { return !(b < a); }
 inline bool operator>=(const Real& a, const Real& b) { return !(a < b); }
 
-// Nodes alive on this thread, for the test that bounds them.
+// The number of living nodes on this thread, for the test that limits it.
 std::size_t live_nodes();
 
 }  // namespace toolcomp::exact

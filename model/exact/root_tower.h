@@ -29,8 +29,8 @@ struct RootTerm {
 /// A sum of terms with distinct rising roots and powers and factors that are not empty.
 using Element = std::vector<RootTerm>;
 
-/// The square roots of one proof, and its unknowns: numbers of which nothing is known but bounds (pi, arc tangents).
-/// The radicand of a root is an element over the roots made before it.
+/// The square roots of one proof, and its unknowns: numbers of which only bounds are known (pi, arc tangents). The
+/// radicand of a root is an element over the roots made before it.
 class RootTower {
  public:
   RootTower(Circle circle, Work& work) : circle_(std::move(circle)), work_(work) {}
@@ -39,7 +39,8 @@ class RootTower {
 
   [[nodiscard]] Element constant(const Integer& value) const;
   [[nodiscard]] Element twice_cosine(std::int64_t angle) const;
-  /// A number that is taken for an indeterminate, another one each time; the node stays until the end of the proof.
+  /// A number that is treated as an indeterminate, a different one for each call. The node must exist until the end of
+  /// the proof.
   Element unknown(Node& node);
   /// The root of an element known not to be negative; the same element gives the same root.
   Element root_of(const Element& radicand);
@@ -48,9 +49,9 @@ class RootTower {
   Element multiply(const Element& a, const Element& b);
   void multiply_by(Element& a, const Integer& factor);
 
-  /// Whether an element e is zero, decided completely where there are no unknowns: with s the last root in e = A + B s,
-  /// e is zero if and only if A*A = B*B*s*s and A, B s have opposite signs or are both zero. With unknowns: whether it
-  /// is zero whatever they stand for, which is a proof, but no other one is found.
+  /// Whether an element e is zero, decided completely if there are no unknowns: with s the last root in e = A + B s, e
+  /// is zero if and only if A*A = B*B*s*s and A, B s have opposite signs or are both zero. With unknowns: whether it is
+  /// zero for all values of the unknowns. This is a proof, but other zeros are not found.
   bool vanishes(const Element& unpruned);
 
  private:

@@ -8,14 +8,14 @@
 
 namespace toolcomp::exact {
 
-/// The sign that an enclosure at hand tells, in double or at base_precision.
+/// The sign that an available enclosure shows, in double or at base_precision.
 std::optional<Sign> enclosed_sign(Node& node);
 
-/// The sign, or none where neither an enclosure nor a proof of zero tells it within the budget. What was found is kept
-/// in the node; one that is zero becomes a rational.
+/// The sign, or std::nullopt if neither an enclosure nor a proof of zero gives it within the budget. The result is kept
+/// in the node; a node that is zero becomes a rational.
 std::optional<Sign> try_decide(Node& node);
 
-/// The same; throws Undecided where there is none.
+/// The same; throws Undecided if there is none.
 Sign decide(Node& node);
 
 }  // namespace toolcomp::exact

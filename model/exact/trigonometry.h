@@ -6,8 +6,8 @@
 
 namespace toolcomp::exact {
 
-/// Encloses sin and cos of `degrees` at the precision of the results. Arb computes both together; the last angles are
-/// remembered at base_precision, so that asking for sine and cosine one after the other costs one computation.
+/// Encloses sin and cos of `degrees` at the precision of the results. Arb computes both together. The last angles at
+/// base_precision are remembered, so that sine and cosine of one angle cost one computation.
 void sine_and_cosine(Interval* sine, Interval* cosine, const mpq_t degrees);
 
 /// Encloses the angle of a tangent, in degrees.

@@ -14,7 +14,7 @@ class Work {
  public:
   explicit Work(std::int64_t units) : left_(units) {}
 
-  /// Takes `units` from the budget; throws OutOfWork when they are not there.
+  /// Takes `units` from the budget; throws OutOfWork if they are not left.
   void spend(std::int64_t units) {
     left_ -= units;
     if (left_ < 0) throw OutOfWork{};

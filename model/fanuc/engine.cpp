@@ -16,7 +16,8 @@ namespace {
 
 // The setup, once it is known to be one this engine can run.
 spec::Setup checked(const spec::Setup& setup) {
-  if (setup.control != spec::Control::fanuc) throw spec::InputError("setup", 0, 0, "control: only \"fanuc\" is built");
+  if (setup.control != spec::Control::fanuc)
+    throw spec::InputError("setup", 0, 0, "control: expected \"fanuc\" for a FANUC program");
   return setup;
 }
 

@@ -157,7 +157,7 @@ void Reporter::report_undecided() {
   if (event.line == line_) event.n = n_;
   event.number = spec::info(recorder_.latest()).id;
   event.permitted = {true, true, true};
-  event.message = "a decision of this clause could not be certified";
+  event.message = "the sign of a decision by this clause could not be certified";
   event.clauses = recorder_.take_clauses();
   sink_.on(event);
 }

@@ -19,7 +19,7 @@ namespace {
 // The setup, once it is known to be one of this control.
 spec::Setup checked(const spec::Setup& setup) {
   if (setup.control != spec::Control::heidenhain)
-    throw spec::InputError("setup", 0, 0, "control: \"heidenhain\" must stand here for a Klartext program");
+    throw spec::InputError("setup", 0, 0, "control: expected \"heidenhain\" for a Klartext program");
   return setup;
 }
 
@@ -174,7 +174,7 @@ Compensated Engine::State::compensated(Motion& motion, const std::optional<FaceC
   // needs RL or RR of an earlier block.
   if (motion.vectors)
     motion.warn(recorder, Clause::heidenhain_peripheral_no_lateral, "W_NO_LATERAL",
-                "LN without a surface normal under R0: no lateral compensation");
+                "LN without a surface normal under R0 has no lateral compensation");
   return uncompensated(motion);
 }
 

@@ -31,7 +31,7 @@ Machine::Machine(const spec::Setup& setup)
             vector_parameter(setup, 19712)},
       programs_workpiece_(setup.bit(19696, 5)) {
   if (mechanism_.type == MachineType::none)
-    throw spec::InputError("setup", 0, 0, "parameters.19680: a machine with rotary axes must stand here");
+    throw spec::InputError("setup", 0, 0, "parameters.19680: expected a machine with rotary axes");
   find_heights();
   find_singular_postures();
 }

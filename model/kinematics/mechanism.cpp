@@ -17,8 +17,7 @@ namespace {
 std::size_t whole(const spec::Setup& setup, std::uint32_t number, int least, int greatest, int otherwise = 0) {
   const Rational given = setup.parameter(number) ? plain(*setup.parameter(number)) : Rational(otherwise);
   if (denominator(given) != 1 || given < least || given > greatest)
-    refuse(number,
-           "a whole number from " + std::to_string(least) + " to " + std::to_string(greatest) + " must stand here");
+    refuse(number, "expected a whole number from " + std::to_string(least) + " to " + std::to_string(greatest));
   return static_cast<std::size_t>(numerator(given));
 }
 
@@ -50,7 +49,7 @@ MachineType machine_type(const spec::Setup& setup) {
   if (type == 2) return MachineType::head;
   if (type == 12) return MachineType::table;
   if (type == 21) return MachineType::mixed;
-  refuse(19680, "0 (none), 2 (tool rotation), 12 (table rotation) or 21 (mixed) must stand here");
+  refuse(19680, "expected 0 (none), 2 (tool rotation), 12 (table rotation) or 21 (mixed)");
 }
 
 // V = R(work-side axis) R(tool-side axis) reference direction, the table's turns taken backwards.
@@ -71,7 +70,7 @@ void read_19680(const spec::Setup& setup, Mechanism& mechanism) {
       component(turn.line, (code - 3) % 3) = exact::sin_degrees(inclination);
     }
     if (setup.bit(19696, hypothetical_bit)) {
-      if (parameter(setup, first) != 0) refuse(first, "0 must stand here for a hypothetical axis");
+      if (parameter(setup, first) != 0) refuse(first, "expected 0 for a hypothetical axis");
       turn.offset = parameter(setup, first + 4);
     } else {
       turn.axis = rotary_axis(setup, first);

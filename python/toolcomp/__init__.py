@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """An exact reference of CNC tool compensation.
 
-``run`` a program through the exact model, the fast engine or the formal specification; ``diff`` and ``explain`` it;
-``certify`` a controller, a Python function most simply; ``judge`` a recording; read the golden ``corpus``; compensate
-arrays of lines with ``Batch``. docs/python.md shows each.
+``run`` runs a program through the exact model, the fast engine or the formal specification. ``diff`` compares engines
+on a program, and ``explain`` explains its result. ``certify`` judges a controller, in the simplest case a Python function.
+``judge`` judges a recording. ``corpus`` reads the golden corpus. ``Batch`` compensates arrays of lines. docs/python.md
+shows each of them.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ has_specification: bool = _core.has_specification
 
 
 def sections() -> list[str]:
-    """The manual sections there are."""
+    """The manual sections that toolcomp implements."""
     return _core.sections()
 
 

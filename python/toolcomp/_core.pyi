@@ -1,4 +1,4 @@
-"""What toolcomp computes in C++."""
+"""The part of toolcomp that is written in C++."""
 
 from typing import Callable, Sequence
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Cases: a setup, a program and what is expected. Golden vectors and what a controller is asked are cases."""
+"""Cases: a setup, a program and the expected events. Golden vectors and requests to controllers are cases."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ class Case:
     section: str
     #: "fanuc" or "klartext"
     dialect: str
-    #: as the schema has it: control, axes, parameters, offsets, tools …
+    #: as in the schema: control, axes, parameters, offsets, tools …
     setup: Mapping[str, Any]
     program: str
-    #: parts of a block under tool center point control; 0: no samples
+    #: number of parts of a block under tool center point control; 0 gives no samples
     samples: int = 0
     comment: str = ""
     clauses: Tuple[str, ...] = ()
     flags: Tuple[str, ...] = ()
-    #: what a golden vector expects
+    #: the events that a golden vector expects
     expect: Tuple[Event, ...] = ()
     #: the case as it was read
     text: str = field(default="", repr=False, compare=False)
@@ -50,7 +50,7 @@ class Case:
         )
 
     def json(self) -> str:
-        """The case as one line, without what is expected where it was made in Python."""
+        """The case as one line. If the case was made in Python, the line has no expected events."""
         if self.text:
             return self.text
         case: dict[str, Any] = {"case": 1, "id": self.id, "setup": dict(self.setup), "program": self.program}

@@ -13,32 +13,32 @@ from .cases import Case
 from .controllers import PythonController, bound
 from .programs import ProgramLike, SetupLike, program_of
 
-#: Of a function that says nothing of itself.
+#: The fields of a function that does not announce its own.
 DEFAULT_FIELDS = ("kind", "line", "axes")
 
 
 @dataclass(frozen=True)
 class Finding:
-    """A difference, shrunk until nothing can be left out."""
+    """A difference between controller and model, with the smallest case found that shows it."""
 
     #: what differs: "coordinate", "missing event", "crash" …
     kind: str
     section: str
     #: id of the clause of the first divergence
     clause: str | None
-    #: of the program, where they part
+    #: line of the program at which controller and model first differ
     line: int
     field: str
     expected: str
     actual: str
     deviation_um: float
-    #: one or two sentences
+    #: the difference in one or two sentences
     explanation: str
     #: the smallest case that shows it
     case: Case
-    #: cases that failed in the same way
+    #: number of cases that failed in the same way
     occurrences: int
-    #: of an exception of a Python controller the traceback, of a command the last of its standard error
+    #: traceback of an exception of a Python controller; of a command, the last lines of its standard error
     errors: str
     #: the finding as a file, for ``toolcomp replay``
     text: str = _field(repr=False)
@@ -46,14 +46,14 @@ class Finding:
 
 @dataclass(frozen=True)
 class Verdict:
-    """What a certification established."""
+    """The result of a certification."""
 
     #: "conforms in 1 of 13 sections, 11 not applicable", …
     text: str
-    #: as of the command: 0 conforms, 1 a finding, 3 could not be decided, 4 a self-check failed
+    #: the exit status of the command: 0 conforms, 1 a finding, 3 could not be decided, 4 a self-check failed
     exit_status: int
     findings: Tuple[Finding, ...]
-    #: mistakes that explain findings, in words: hints
+    #: hints: mistakes that would explain findings, in words
     causes: Tuple[str, ...]
     #: certificate.json as a whole: sections with their counts, clauses, what was not judged
     report: Mapping[str, Any] = _field(repr=False)
@@ -61,7 +61,7 @@ class Verdict:
 
     @property
     def conforms(self) -> bool:
-        """Whether all that was asked was judged, and agrees."""
+        """Whether everything that was asked for was judged and agrees."""
         return self.exit_status == 0
 
     def html(self) -> str:
@@ -95,27 +95,27 @@ def certify(
 ) -> Verdict:
     """Judges a controller, as ``toolcomp certify`` does: golden corpus, generated cases, your programs.
 
-    A controller in Python is called with the GIL held; nothing limits its time. What it raises is a finding of kind
-    "crash" with its traceback, and the next case is asked; KeyboardInterrupt and what else is no Exception ends the
-    campaign and passes through, as does everything with `raise_errors`. With `report`, what was found so far is
-    written before.
+    A controller in Python is called with the GIL held, and without a time limit. If it raises an Exception, this is a
+    finding of kind "crash" with its traceback, and the next case follows. KeyboardInterrupt and other exceptions that
+    are not an Exception end the campaign and reach the caller. With `raise_errors` every exception does. With `report`,
+    the findings so far are written first.
 
-    :param controller: a function from a :class:`Case` to events, an object with ``hello`` and ``answer``, a command that
-        speaks the protocol, the name of an adapter, or "fast" or "spec" for engines of ours
-    :param sections: of corpus and generated cases; none: all
-    :param cases: generated ones a section; 1000, or 0 where programs are named
+    :param controller: a function from a :class:`Case` to events; an object with ``hello`` and ``answer``; a command
+        that speaks the protocol; the name of an adapter; or "fast" or "spec", an engine of toolcomp
+    :param sections: sections of the corpus and of generated cases; all sections if empty
+    :param cases: number of generated cases in each section; by default 1000, or 0 if programs are given
     :param seed: the same seed gives the same cases
-    :param programs: your own, with `setup` and `samples` as :func:`toolcomp.run` takes them
-    :param corpus: True, False or the folder of a golden corpus; True where no programs are named
-    :param fields: of a function: the fields of events that it gives
-    :param jobs: controllers side by side; a Python controller has one processor at most
-    :param timeout: of a command, seconds for one answer
-    :param time_limit: seconds, after which what was not run is counted
-    :param settle: seconds, within which one finding of each group is asked again and shortened
-    :param accept_resolution: of a controller whose numbers are coarse (docs/protocol.md)
-    :param report: the folder of a report
-    :param progress: called with the cases done and their number
-    :raises InputError: unknown sections, cases that cannot be read, a command that cannot be run
+    :param programs: your own programs, with `setup` and `samples` as for :func:`toolcomp.run`
+    :param corpus: True, False or the folder of a golden corpus; by default True, unless programs are given
+    :param fields: the event fields that a function gives
+    :param jobs: number of controllers that run at the same time; a Python controller uses at most one processor
+    :param timeout: seconds that a command has for one answer
+    :param time_limit: seconds after which no further case is run; the verdict counts the cases that were not run
+    :param settle: seconds for reproducing and shrinking one finding of each group
+    :param accept_resolution: the resolution of a controller with coarse numbers (docs/protocol.md)
+    :param report: the folder of the report
+    :param progress: a function that is called with the number of cases done and of all cases
+    :raises InputError: if a section is unknown, a case cannot be read, or a command cannot be run
     """
     wanted = [sections] if isinstance(sections, str) else list(sections)
     alone = bool(programs)
@@ -152,7 +152,9 @@ def _subject(
     if isinstance(controller, str):
         return controller, None
     if not callable(controller) and not hasattr(controller, "answer"):
-        raise TypeError(f"{controller!r} is no controller: a function, an object with hello and answer, or a command")
+        raise TypeError(
+            f"{controller!r} is not a controller; expected a function, an object with hello and answer, or a command"
+        )
     name = getattr(controller, "__name__", type(controller).__name__)
     module = getattr(controller, "__module__", "") or ""
     return f"python {module}.{name}", bound(controller, sections, fields, raise_errors)

@@ -19,31 +19,31 @@ class Difference:
     line: int
     #: what differs: "coordinate", "missing event", …
     kind: str
-    #: "point.X"
+    #: the field that differs, such as "point.X"
     field: str
     expected: str
     actual: str
-    #: of linear coordinates: how far outside what is permitted, in micrometres
+    #: of a linear coordinate: how far it is outside the permitted range, in micrometres
     deviation_um: float
-    #: id of the clause that names it
+    #: id of the clause to which the difference is attributed
     clause: str | None
 
 
 @dataclass(frozen=True)
 class Comparison:
-    """What came of a comparison."""
+    """The result of a comparison."""
 
     #: "agrees", "differs", "undecided", "nothing judged", "not applicable", …
     outcome: str
     difference: Difference | None
     #: why it is undecided or not applicable
     why: str
-    #: numbers and alarms that were judged
+    #: number of numbers and alarms that were judged
     values: int
     values_not_judged: int
-    #: questions that laws asked
+    #: number of law checks
     questions: int
-    #: of the model, by sign; those near a tie; those that the engine took the other way
+    #: number of decisions of the model, of those near a tie, and of those that the engine decided the other way
     decisions: int
     near_ties: int
     ties: int
@@ -52,12 +52,12 @@ class Comparison:
 
     @property
     def agrees(self) -> bool:
-        """Whether all that was judged agrees."""
+        """Whether everything that was judged agrees."""
         return self.outcome == "agrees"
 
     @property
     def exit_status(self) -> int:
-        """As of the command: 0 agrees, 1 differs, 3 could not be decided."""
+        """The exit status of the command: 0 agrees, 1 differs, 3 could not be decided."""
         return {"agrees": 0, "differs": 1}.get(self.outcome, 3)
 
 
@@ -68,9 +68,9 @@ def diff(
     engine: Literal["fast", "spec"] = "fast",
     samples: int | None = None,
 ) -> Comparison:
-    """Holds the fast engine, or the formal specification, against the exact model.
+    """Compares the fast engine, or the formal specification, with the exact model.
 
-    :raises InputError: for what cannot be read
+    :raises InputError: if program or setup cannot be read
     """
     if engine not in ("fast", "spec"):
         raise ValueError(f'engine must be "fast" or "spec", not {engine!r}')

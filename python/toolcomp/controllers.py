@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Controllers written in Python: from a function or an object to lines of the protocol (docs/protocol.md)."""
+"""Controllers written in Python: they turn a function or an object into lines of the protocol (docs/protocol.md)."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from .cases import Case
 from .errors import NotApplicable
 from .events import Event, json_of_event
 
-#: What a controller gives for a case: events, or mappings with the fields of the protocol.
+#: The result of a controller for a case: events, or mappings with the fields of the protocol.
 Events = Iterable[Union[Event, Mapping[str, Any]]]
 
 
 @runtime_checkable
 class ControllerLike(Protocol):
-    """An object that says what it can and answers cases. One with a method ``restart()`` remembers things: it is called
-    where a command would be started anew."""
+    """An object that announces its capabilities and answers cases. If the object keeps a state from case to case, it
+    needs a method ``restart()``, which is called when a command would be started again."""
 
     def hello(self) -> Mapping[str, Any]:
-        """name, version, sections, fields … as docs/protocol.md has them."""
+        """name, version, sections, fields … as in docs/protocol.md."""
 
     def answer(self, case: Case) -> Events:
         """The events of a case. May raise :class:`toolcomp.NotApplicable`."""
@@ -32,7 +32,7 @@ PythonController = Union[Callable[[Case], Events], ControllerLike]
 
 
 def words_of_exception(error: BaseException) -> str:
-    """One line: "ValueError: no such tool"."""
+    """An exception in one line: "ValueError: no such tool"."""
     words = " ".join(str(error).split())
     return f"{type(error).__name__}: {words}" if words else type(error).__name__
 

@@ -13,15 +13,15 @@ from .errors import InputError
 
 
 def folder() -> Path:
-    """Where the golden corpus lies: share/toolcomp beside the place of this package, or in the tree it was built from.
+    """The folder of the golden corpus: in share/toolcomp near this package, or in the source tree of the build.
 
-    :raises InputError: nowhere
+    :raises InputError: if neither folder exists
     """
     for above in Path(__file__).absolute().parents:
         for below in ("share/toolcomp/corpus/golden", "corpus/golden"):
             if (above / below / "manifest.json").is_file():
                 return above / below
-    raise InputError("the golden corpus is not there: name its folder", "corpus")
+    raise InputError("the golden corpus was not found; name its folder", "corpus")
 
 
 def version(corpus: str | os.PathLike[str] | None = None) -> str:
@@ -30,14 +30,14 @@ def version(corpus: str | os.PathLike[str] | None = None) -> str:
 
 
 def sections(corpus: str | os.PathLike[str] | None = None) -> list[str]:
-    """The sections that have vectors."""
+    """The sections that have golden vectors."""
     return list(dict.fromkeys(section for _, section in _core.corpus_manifest(os.fspath(corpus or folder()))[1]))
 
 
 def vectors(section: str | None = None, *, corpus: str | os.PathLike[str] | None = None) -> Iterator[Case]:
     """The vectors of a section, or of all, one by one.
 
-    :raises InputError: no manifest in the folder, or no such section
+    :raises InputError: if the folder has no manifest, or there is no such section
     """
     place = Path(corpus or folder())
     files = [file for file, of in _core.corpus_manifest(str(place))[1] if section in (None, of)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What goes wrong, as exceptions."""
+"""The exceptions of toolcomp."""
 
 from __future__ import annotations
 
@@ -7,17 +7,17 @@ from typing import Any
 
 
 class Error(Exception):
-    """The base of what toolcomp raises by itself."""
+    """The base class of the exceptions of toolcomp."""
 
 
 class InputError(Error, ValueError):
-    """Input that nobody could read: bytes that are no text, malformed cases and setups, missing files.
+    """Input that cannot be read: bytes that are not text, malformed cases and setups, missing files.
 
-    ``str()`` of it is ``FILE:LINE:COLUMN: message``, as the command prints it. What a control refuses is no error but
-    an alarm among the events.
+    Its ``str()`` is ``FILE:LINE:COLUMN: message``, as the command prints it. A program that a control refuses is not an
+    error: the control raises an alarm, which is one of the events.
 
     :ivar message: what is wrong, and what was expected
-    :ivar file: which file or argument; ``""`` where there is none
+    :ivar file: the file or the argument; ``""`` if there is none
     :ivar line: from 1, or None
     :ivar column: from 1, or None
     """
@@ -38,8 +38,8 @@ class InputError(Error, ValueError):
 
 
 class UndecidedError(Error):
-    """Digits of an exact value, or its sign, could not be certified."""
+    """The digits or the sign of an exact value could not be certified."""
 
 
 class NotApplicable(Error):
-    """Raised by a controller: it does not have what the case needs. Counted, not judged."""
+    """A controller raises it if it does not have what the case needs. The case is counted, and not judged."""

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Events: what a run yields, in order. docs/events.md says what each field means; lengths are in the units of the
-setup, angles in degrees, numbers exact where an exact engine gave them (:data:`toolcomp.Number`)."""
+"""The events of a run, in order. docs/events.md describes each field. Lengths are in the units of the setup, angles in
+degrees. Numbers of an exact engine are exact (:data:`toolcomp.Number`)."""
 
 from __future__ import annotations
 
@@ -28,18 +28,18 @@ def _is_empty(value: object) -> bool:
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class _Event:
-    """What all events have."""
+    """The fields that all events have."""
 
     kind: ClassVar[str]
-    #: of the program, from 1
+    #: line of the program, from 1
     line: int
-    #: the sequence number, where the block has one
+    #: the sequence number, if the block has one
     n: int | None = None
-    #: ids of the clauses it rests on, the deciding one last; the model gives them
+    #: ids of the clauses that the event rests on, the deciding one last; only the model gives them
     clauses: Tuple[str, ...] = ()
 
     def __repr__(self) -> str:
-        """The fields that it has."""
+        """The fields that are not empty."""
         said = ((each.name, getattr(self, each.name)) for each in fields(self))
         words = ", ".join(f"{name}={value!r}" for name, value in said if not _is_empty(value))
         return f"{type(self).__name__}({words})"
@@ -52,37 +52,37 @@ class Move(_Event):
     kind: ClassVar[str] = "move"
     type: MoveType = "linear"
     cause: Cause = "programmed"
-    #: programmed end point, absolute, workpiece coordinates
+    #: programmed end point, absolute, in workpiece coordinates
     programmed: AxisValues = field(default_factory=dict)
     #: compensated tool point, before length offset
     point: AxisValues = field(default_factory=dict)
-    #: what the axes are sent to, workpiece coordinates
+    #: positions that the axes are sent to, in workpiece coordinates
     axes: AxisValues = field(default_factory=dict)
-    #: the same in machine coordinates: G53, G28, G30, tool center point control
+    #: the positions of `axes` in machine coordinates; G53, G28, G30 and tool center point control have them
     machine: AxisValues = field(default_factory=dict)
-    #: axes of which nobody knows where they stand; no other field has them (Klartext)
+    #: axes whose positions are unknown; no other field has them (Klartext)
     unknown: Tuple[str, ...] = ()
     #: unit vector from tip to holder
     tool_axis: Vector | None = None
-    #: as F; not of rapid moves
+    #: the feed, as F; rapid moves have none
     feed: Number | None = None
     # arcs
     center: AxisValues = field(default_factory=dict)
     plane: Plane | None = None
     direction: Direction | None = None
-    #: degrees of the tool's own arc
+    #: angle of the arc that the tool runs, in degrees
     sweep: Number | None = None
-    #: at start and end, where they differ
+    #: radius at the start and at the end, if they differ
     radius: Tuple[Number, Number] | None = None
     # Klartext
     tool_center: AxisValues = field(default_factory=dict)
     contact: AxisValues = field(default_factory=dict)
-    #: surface normal, unit
+    #: unit vector of the surface normal
     normal: Vector | None = None
     shift: AxisValues = field(default_factory=dict)
     tool_shift: AxisValues = field(default_factory=dict)
     carrier: AxisValues = field(default_factory=dict)
-    #: degrees between normal and tool
+    #: angle between normal and tool, in degrees
     angle: Number | None = None
     #: the normal is along the tool
     flat: bool = False
@@ -93,7 +93,7 @@ class Sample(_Event):
     """A position inside a block under tool center point control."""
 
     kind: ClassVar[str] = "sample"
-    #: which part of the block lies behind it
+    #: the fraction of the block at which the sample is
     t: Fraction
     point: AxisValues = field(default_factory=dict)
     axes: AxisValues = field(default_factory=dict)
@@ -103,19 +103,20 @@ class Sample(_Event):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Alarm(_Event):
-    """An alarm: it ends the run."""
+    """An alarm. It ends the run."""
 
     kind: ClassVar[str] = "alarm"
-    #: what the control shows: "PS0041", or a name of ours
+    #: the number or name that the control shows, such as "PS0041"
     number: str
-    #: why, the same for all series (``toolcomp spec alarms``): "interference"; None where a controller does not say
+    #: the cause, such as "interference", the same for all series (``toolcomp spec alarms`` lists them); None if a
+    #: controller does not give it
     cause: str | None = None
     message: str = ""
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Warning(_Event):
-    """A warning: the run goes on."""
+    """A warning. The run goes on."""
 
     kind: ClassVar[str] = "warning"
     number: str
@@ -124,17 +125,17 @@ class Warning(_Event):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Hole(_Event):
-    """A hole of a canned cycle. What happens between its beginning and its end is not said."""
+    """A hole of a canned cycle. The event does not describe the movement between its beginning and its end."""
 
     kind: ClassVar[str] = "hole"
-    #: position: the linear axes but the drilling axis, before length offset
+    #: position of the linear axes without the drilling axis, before length offset
     point: AxisValues = field(default_factory=dict)
-    #: point R and the bottom, coordinates along the drilling axis
+    #: point R and the bottom, as coordinates along the drilling axis
     r: Number | None = None
     bottom: Number | None = None
-    #: to which the tool returns: `return` in JSON
+    #: the level to which the tool returns; `return` in JSON
     level: Number | None = None
-    #: where the axes stand behind it, workpiece coordinates
+    #: positions of the axes after the hole, in workpiece coordinates
     axes: AxisValues = field(default_factory=dict)
 
 
@@ -143,45 +144,45 @@ class Setting(_Event):
     """A value written to the offset memory (G10, G37)."""
 
     kind: ClassVar[str] = "setting"
-    #: "H1", "H1.wear"
+    #: the value that was set, such as "H1" or "H1.wear"
     name: str
     value: Number
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Undecided(_Event):
-    """The specification leaves open what happens, or a sign could not be certified."""
+    """The specification leaves open what the block does, or a sign could not be certified."""
 
     kind: ClassVar[str] = "undecided"
     clause: str = ""
     permitted: Tuple[Outcome, ...] = ()
-    #: "OUT_OF_SCOPE": what follows is not modelled
+    #: "OUT_OF_SCOPE" if the model does not cover what the block does
     reason: str = ""
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class NotSupported(_Event):
-    """The run ends at what a control may well run and toolcomp does not: no alarm."""
+    """The run ends, without an alarm, at a word that a control may well run and toolcomp does not."""
 
     kind: ClassVar[str] = "not_supported"
-    #: what stands in the program: "G81"
+    #: the word of the program, such as "G81"
     code: str = ""
     message: str = ""
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class NotJudged(_Event):
-    """The run ends at what makes positions unknown: no alarm."""
+    """The run ends, without an alarm, at a word after which toolcomp cannot compute positions."""
 
     kind: ClassVar[str] = "not_judged"
-    #: what stands in the program: "PLANE SPATIAL"
+    #: the words of the program, such as "PLANE SPATIAL"
     code: str = ""
     message: str = ""
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Note(_Event):
-    """What a reader of the program should know: `toolcomp run` says it, and no verdict depends on it."""
+    """A note of `toolcomp run` for the reader of a program. No verdict depends on it."""
 
     kind: ClassVar[str] = "note"
     text: str = ""
@@ -223,7 +224,7 @@ def _read(name: str, json: Any) -> Any:
 
 
 def event_of_json(json: Mapping[str, Any]) -> Event:
-    """An event from its JSON object, as the extension, a golden vector or the protocol has it."""
+    """An event from its JSON object, in the form of the extension, of a golden vector or of the protocol."""
     named = ((_ATTRIBUTES.get(name, name), value) for name, value in json.items() if name != "kind")
     return _KINDS[json["kind"]](**{name: _read(name, value) for name, value in named})
 
@@ -241,8 +242,8 @@ def _write(name: str, value: Any) -> Any:
 
 
 def json_of_event(event: Event | Mapping[str, Any]) -> dict[str, Any]:
-    """The JSON object of an event for the protocol; what is empty is left out. A mapping is taken as one, its numbers
-    written out."""
+    """The JSON object of an event for the protocol, without empty fields. A mapping is taken as such an object, and its
+    numbers are written out."""
     if isinstance(event, Mapping):
         return {name: _write(_ATTRIBUTES.get(name, name), value) for name, value in event.items()}
     written = {"kind": event.kind, "line": event.line}

@@ -16,29 +16,29 @@ from .running import expect_digits
 
 @dataclass(frozen=True)
 class Clause:
-    """A clause of a section, in words."""
+    """A clause of a section."""
 
     id: str
     section: str
     text: str
     #: how well it is known: "manual", "sister", "recollection" or "ours"
     known: str
-    #: the same with document and page
+    #: how well it is known, with document and page
     source: str
     formula: str
-    #: of an open clause: what else the manual permits
+    #: other readings that the manual permits, for an open clause
     alternatives: str
-    #: the manual is silent: the definition is ours
+    #: whether the manual does not decide the clause, so that the definition is ours
     open: bool
 
 
 @dataclass(frozen=True)
 class Decision:
-    """A decision by the sign of an exact value."""
+    """A decision that the sign of an exact value answers."""
 
     clause: Clause
     quantity: Number
-    #: what the quantity is compared with, None where it is 0; margin is quantity / scale
+    #: the size that the quantity is compared with, None if it is 0; margin is quantity / scale
     scale: Number | None
     margin: Number | None
     outcome: Outcome
@@ -48,18 +48,18 @@ class Decision:
 
 @dataclass(frozen=True)
 class ExplainedEvent:
-    """An event of the model, with what is said of it in words."""
+    """An event of the model, with explanations in words."""
 
     event: Event
-    #: of G37: how far the position may be off
+    #: for G37: by how much the measured position may be off
     measured: str
-    #: the heads and vectors of the corner behind it
+    #: the heads and vectors of the corner after the event
     corner: str
 
 
 @dataclass(frozen=True)
 class Block:
-    """What both engines made of a block."""
+    """A block with the events of both engines."""
 
     line: int
     n: int | None
@@ -70,9 +70,9 @@ class Block:
 
 
 def clause(id: str) -> Clause:
-    """The clause of that id.
+    """The clause with this id.
 
-    :raises KeyError: there is none
+    :raises KeyError: if there is none
     """
     return Clause(**json.loads(_core.clause(id)))
 
@@ -100,10 +100,10 @@ def explain(
     samples: int | None = None,
     digits: int = 15,
 ) -> list[Block]:
-    """Block by block: decisions with their exact values, clauses, and the events of both engines.
+    """Explains a program block by block: decisions with their exact values, clauses, and the events of both engines.
 
-    :param block: a sequence number, or where no block has it a line; without it, all blocks
-    :raises InputError: for what cannot be read, and where no block is `block`
+    :param block: a sequence number, or a line if no block has this sequence number; by default all blocks
+    :raises InputError: if program or setup cannot be read, or if there is no such `block`
     """
     read = program_of(program, setup, samples)
     return [

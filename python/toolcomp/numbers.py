@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Exact values: a Fraction where a value is rational, else a decimal and how far off it may be."""
+"""Exact values: a Fraction if the value is rational, otherwise a decimal with an error bound."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from typing import Any, Union
 
 @dataclass(frozen=True)
 class Exact:
-    """A real number that is no fraction: it lies between ``value - radius`` and ``value + radius``, certified."""
+    """A real number that is not a fraction. It is certified to be between ``value - radius`` and ``value + radius``."""
 
     value: Decimal
     radius: Decimal
@@ -24,21 +24,21 @@ class Exact:
 
     @property
     def lower(self) -> Fraction:
-        """The lower bound, exactly."""
+        """The exact lower bound."""
         return Fraction(self.value) - Fraction(self.radius)
 
     @property
     def upper(self) -> Fraction:
-        """The upper bound, exactly."""
+        """The exact upper bound."""
         return Fraction(self.value) + Fraction(self.radius)
 
     def contains(self, number: int | float | Decimal | Fraction) -> bool:
-        """Whether the number may be the one that is meant."""
+        """Whether the real number may be this number."""
         return self.lower <= Fraction(number) <= self.upper
 
 
-#: A number of an event: of the model Fraction or Exact, of the fast engine float; a controller may give any of them.
-#: ``float()`` takes all of them.
+#: A number of an event. The model gives Fraction or Exact, the fast engine gives float, and a controller may give any
+#: of them. ``float()`` accepts all of them.
 Number = Union[Fraction, Exact, Decimal, float]
 
 
@@ -55,17 +55,17 @@ def number_of_json(json: Any) -> Number:
     return float(json)
 
 
-#: Decimals of a fraction that has no end.
+#: Number of decimals of a fraction whose decimals do not end.
 _DECIMALS = 40
 
 
 def json_of_number(number: Any) -> Any:
-    """A number as the protocol takes it: digits are kept as text, doubles as they are, text as it is.
+    """A number in the form of the protocol: exact digits become text; doubles and text stay as they are.
 
-    :raises TypeError: for what is no number
+    :raises TypeError: if it is not a number
     """
     if isinstance(number, bool):
-        raise TypeError(f"{number!r} is no number")
+        raise TypeError(f"{number!r} is not a number")
     if isinstance(number, str):
         return number
     if isinstance(number, int):
@@ -81,7 +81,7 @@ def json_of_number(number: Any) -> Any:
         return _decimal_text(number)
     if hasattr(number, "__float__"):
         return json_of_number(float(number))
-    raise TypeError(f"{number!r} is no number")
+    raise TypeError(f"{number!r} is not a number")
 
 
 def _decimal_text(number: Fraction) -> str:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Programs and setups, however they are given."""
+"""Programs and setups, in all forms in which they can be given."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ from .errors import InputError
 
 #: A file (a str without line feed is its name; a program, or a case if it is JSON), text with line feeds, or a case.
 ProgramLike = Union[str, "os.PathLike[str]", Case]
-#: A file, TOML text (a str with ``=`` or a line feed), or what the JSON of a case has.
+#: A file, TOML text (a str with ``=`` or a line feed), or a mapping as the setup in the JSON of a case.
 SetupLike = Union[str, "os.PathLike[str]", Mapping[str, Any]]
 
-#: The most parts a block is divided into.
+#: The largest number of parts of a block.
 MOST_SAMPLES = 1_000_000
 
 
@@ -34,7 +34,7 @@ def _plain(value: Any) -> Any:
     if isinstance(value, Decimal):
         return format(value, "f")
     if isinstance(value, Fraction):
-        raise InputError(f"{value!r} is no decimal number", "setup")
+        raise InputError(f"{value!r} is not a decimal number", "setup")
     # A double that a program would write with an exponent keeps its digits.
     return format(Decimal(repr(float(value))), "f") if hasattr(value, "__float__") else value
 
@@ -42,7 +42,7 @@ def _plain(value: Any) -> Any:
 def setup_of(setup: SetupLike) -> _core.Setup:
     """Reads a setup.
 
-    :raises InputError: for what is none, with its place
+    :raises InputError: if it is not a setup; the error names the place
     """
     if isinstance(setup, Mapping):
         try:
@@ -58,9 +58,9 @@ def setup_of(setup: SetupLike) -> _core.Setup:
 def program_of(
     program: ProgramLike, setup: SetupLike | None = None, samples: int | None = None, name: str = "program"
 ) -> _core.Program:
-    """Reads what is run. A program file without `setup` has the setup.toml beside it.
+    """Reads a program. Without `setup`, a program file takes the setup.toml in its folder.
 
-    :raises InputError: for a file or case that cannot be read
+    :raises InputError: if a file or case cannot be read
     """
     if samples is not None and not 0 <= samples <= MOST_SAMPLES:
         raise ValueError(f"samples must be 0 to {MOST_SAMPLES}, not {samples}")
@@ -72,11 +72,11 @@ def program_of(
         if program.lstrip().startswith("{"):
             return _core.program_of_case(program, "case", samples)
         if setup is None:
-            raise InputError("text of a program needs a setup", name)
+            raise InputError("a program given as text needs a setup", name)
         return _core.program_of_text(program, name, setup_of(setup), samples or 0)
     path = os.fspath(program)
     if isinstance(program, str) and not Path(path).exists():
-        raise InputError("no such file; text of one block ends with a line feed", path)
+        raise InputError("no such file; if this is the text of one block, end it with a line feed", path)
     if setup is None or (isinstance(setup, (str, os.PathLike)) and not _is_text(setup)):
         return _core.program_of_file(path, "" if setup is None else os.fspath(setup), samples)
     return _core.program_with_setup(path, setup_of(setup), samples or 0)

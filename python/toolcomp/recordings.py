@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Recorded runs against the exact path (docs/trace.md)."""
+"""Recorded runs, compared with the exact path (docs/trace.md)."""
 
 from __future__ import annotations
 
@@ -14,29 +14,29 @@ import numpy.typing as npt
 from . import _core
 from .programs import ProgramLike, SetupLike, program_of
 
-#: A CSV file, or samples by axis, and by "time" in seconds.
+#: A CSV file, or a mapping of samples by axis, and by "time" in seconds.
 RecordingLike = Union[str, "os.PathLike[str]", Mapping[str, Union[npt.ArrayLike, Sequence[float]]]]
 
 
 @dataclass(frozen=True)
 class RecordingFinding:
-    """Where a recording leaves the path."""
+    """A place at which a recording leaves the path."""
 
     #: "off the path", "corner not reached", …
     kind: str
-    #: index of the first sample concerned; of a CSV its line
+    #: index of the first sample concerned; for a CSV file, its line
     sample: int
-    #: how many; 0 where what is missing lies between two samples
+    #: number of samples concerned; 0 if something is missing between two samples
     samples: int
-    #: of the program: the first and the last move concerned
+    #: program lines of the first and of the last move concerned
     line: int
     last_line: int
-    #: linear axes, setup units: the true distance lies between both
+    #: distance of the linear axes, in the units of the setup; the true distance is between the two
     distance: Tuple[float, float]
-    #: degrees, with the axis; None where no rotary axis is concerned
+    #: deviation in degrees and its axis; None if no rotary axis is concerned
     rotary: Tuple[float, float] | None
     rotary_axis: str | None
-    #: where it was worst
+    #: the position with the largest distance
     at: Mapping[str, float]
     #: seconds without a sample
     duration: float
@@ -44,20 +44,20 @@ class RecordingFinding:
 
 @dataclass(frozen=True)
 class RecordingVerdict:
-    """What came of a recording."""
+    """The verdict on a recording."""
 
     #: 0 conforms, 1 does not, 3 could not be decided or nothing was judged
     exit_status: int
     findings: Tuple[RecordingFinding, ...]
-    #: all of them; the first hundred are kept
+    #: number of all findings; the first hundred are kept
     findings_total: int
-    #: one mistake that explains everything found, in words: a hint
+    #: a hint: one mistake that would explain everything found, in words
     cause: str
     samples: int
     samples_off: int
     corners: int
     corners_missed: int
-    #: of an accepted sample, setup units
+    #: largest distance of an accepted sample, in the units of the setup
     worst: float
     worst_rotary: float
     #: axis letters
@@ -71,7 +71,7 @@ class RecordingVerdict:
 
     @property
     def conforms(self) -> bool:
-        """Whether the recording is within the tolerance, from begin to end."""
+        """Whether the recording is within the tolerance from beginning to end."""
         return self.exit_status == 0
 
     def html(self) -> str:
@@ -94,17 +94,18 @@ def judge(
     rapids: Literal["line", "by axis"] = "line",
     time_resolution: float = 0.0,
 ) -> RecordingVerdict:
-    """Judges one recorded run of a program: positions as `axes` of the events, in the units of the program.
+    """Judges one recorded run of a program. Its positions are those of the field `axes` of events, in the units of the
+    program.
 
-    :param recording: a CSV file; or arrays or sequences by axis letter, with "time" in seconds where it is recorded.
-        Contiguous arrays of float64 are looked at where they are
-    :param tolerance: of the linear axes, as one length
-    :param rotary_tolerance: of each rotary axis, degrees; without it the number of `tolerance`
+    :param recording: a CSV file; or arrays or sequences by axis letter, and "time" in seconds if it was recorded.
+        Contiguous arrays of float64 are used without a copy
+    :param tolerance: largest distance from the exact path, over all linear axes together
+    :param rotary_tolerance: largest deviation of each rotary axis in degrees; by default the number of `tolerance`
     :param frame: the coordinates of the recording
-    :param rapids: whether rapid moves run on a line, or each axis by itself
-    :param time_resolution: of arrays: seconds by which a time may be off
-    :raises InputError: a program or CSV that cannot be read
-    :raises ValueError: arrays of different lengths, samples that are no numbers, axes the setup does not have
+    :param rapids: whether a rapid move runs on a line, or moves each axis by itself
+    :param time_resolution: seconds by which a time of an array may be off
+    :raises InputError: if the program or the CSV file cannot be read
+    :raises ValueError: if arrays have different lengths, a sample is not a number, or the setup does not have an axis
     """
     if frame not in ("workpiece", "machine"):
         raise ValueError(f'frame must be "workpiece" or "machine", not {frame!r}')

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs: a program through an engine."""
+"""Runs of a program through an engine."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from . import _core
 from .events import Event, event_of_json
 from .programs import ProgramLike, SetupLike, program_of
 
-#: The exact model, the fast engine in double precision, the formal specification (Coq, extracted).
+#: The exact model, the fast engine in double precision, or the formal specification (extracted from Coq).
 Engine = Literal["model", "fast", "spec"]
 
-#: The most decimals that are asked for.
+#: The largest number of decimals.
 MOST_DIGITS = 1000
 
 
 def expect_digits(digits: int) -> int:
-    """Raises ValueError for what is no number of decimals."""
+    """Raises ValueError if `digits` is not a possible number of decimals."""
     if not 1 <= digits <= MOST_DIGITS:
         raise ValueError(f"digits must be 1 to {MOST_DIGITS}, not {digits}")
     return digits
@@ -32,15 +32,15 @@ def run(
     samples: int | None = None,
     digits: int = 15,
 ) -> Iterator[Event]:
-    """The events of a run, as they come: ``list(run(…))`` has them all.
+    """Yields the events of a run as they come. ``list(run(…))`` gives all of them.
 
     :param program: a file, text with line feeds, or a case
-    :param setup: a file, TOML text or a dict; of a file without it, the setup.toml beside it
-    :param engine: "model", "fast" or "spec"; the formal specification takes a program as a whole
-    :param samples: into how many parts blocks under tool center point control are divided
-    :param digits: decimals of values that are no fractions
-    :raises InputError: at once for what cannot be read; for bytes inside the program, behind the events before them
-    :raises UndecidedError: where digits cannot be certified
+    :param setup: a file, TOML text or a dict; by default the setup.toml in the folder of the program file
+    :param engine: "model", "fast" or "spec"; the formal specification reads the whole program before its first event
+    :param samples: number of parts into which each block under tool center point control is divided
+    :param digits: number of decimals of values that are not fractions
+    :raises InputError: at once if a file cannot be read; for bad bytes inside the program, after the events before them
+    :raises UndecidedError: if digits cannot be certified
     """
     if engine not in ("model", "fast", "spec"):
         raise ValueError(f'engine must be "model", "fast" or "spec", not {engine!r}')

@@ -14,7 +14,7 @@
 
 namespace toolcomp::spec {
 
-// A cause as the table states it.
+// A cause, as the table gives it.
 struct AlarmInfo {
   AlarmCause cause;
   std::string_view name;        // of the cause: "arc-without-center"
@@ -24,13 +24,14 @@ struct AlarmInfo {
   std::string_view source;
 };
 
-// In the order of the table, which is that of AlarmCause after `none`; without what is no alarm (is_beyond).
+// In the order of the table, which is that of AlarmCause after `none`. Causes that are no alarms (is_beyond) are left
+// out.
 std::span<const AlarmInfo> alarms();
 // Of a cause other than `none`.
 const AlarmInfo& info(AlarmCause cause);
-// Nothing where no cause has this name.
+// std::nullopt if no cause has this name.
 std::optional<AlarmCause> find_alarm(std::string_view name);
-// What the control of a setup shows: its own number ([alarms]), else that of its series.
+// The number that the control of a setup shows: its own one ([alarms]), or else that of its series.
 class AlarmNumbers {
  public:
   explicit AlarmNumbers(const Setup& setup) : series_(setup.series), own_(setup.alarms) {}
@@ -40,18 +41,18 @@ class AlarmNumbers {
   Series series_;
   std::map<AlarmCause, std::string> own_;
 };
-// Where a run of ours ends and a control's does not: not_supported and not_judged, which are no alarms.
+// Whether the run ends only here and not at a control: not_supported and not_judged, which are no alarms.
 constexpr bool is_beyond(AlarmCause cause) {
   return cause == AlarmCause::not_supported || cause == AlarmCause::not_judged;
 }
-// What stands in the program, of the text of such an end: "G81" of "G81 (drilling, a canned cycle) is not supported".
+// The word of the program in the message of such an end: "G81" of "G81 (drilling, a canned cycle) is not supported".
 std::string_view code_of(std::string_view text);
-// The text of such an end, if a block has one; nullptr otherwise.
+// The message of such an end, if a block has one; nullptr otherwise.
 template <class Block>
 const char* beyond(const Block& block) {
   return block.alarm && is_beyond(block.alarm->cause) ? block.alarm->message : nullptr;
 }
-// What a setup may give as a number of its own: 1 to 32 letters, digits and _ - / .
+// Whether a setup may give this as its own number: 1 to 32 letters, digits and _ - / .
 bool is_alarm_number(std::string_view text);
 
 }  // namespace toolcomp::spec

@@ -13,7 +13,7 @@ namespace toolcomp::spec {
 
 inline constexpr std::size_t kMaxAxes = 9;
 
-// X Y Z U V W are linear (mm or inch), A B C rotary (degrees).
+// X Y Z U V W are linear axes (mm or inch), A B C are rotary axes (degrees).
 constexpr bool is_linear_axis(char letter) { return letter >= 'U' && letter <= 'Z'; }
 constexpr bool is_rotary_axis(char letter) { return letter >= 'A' && letter <= 'C'; }
 
@@ -31,7 +31,7 @@ class Axes {
 
   [[nodiscard]] std::size_t size() const { return letters_.size(); }
   [[nodiscard]] char letter(std::size_t index) const { return letters_[index]; }
-  // kNone where no axis has this letter.
+  // kNone if no axis has this letter.
   [[nodiscard]] std::size_t index(char letter) const { return index_[static_cast<unsigned char>(letter)]; }
   [[nodiscard]] bool has(char letter) const { return index(letter) != kNone; }
   [[nodiscard]] const std::string& letters() const { return letters_; }
@@ -42,7 +42,7 @@ class Axes {
   std::array<std::uint8_t, 256> index_{};
 };
 
-// One number for some of the axes, by axis index.
+// A number for each of some axes, by axis index.
 template <class Number>
 struct AxisValues {
   std::array<Number, kMaxAxes> value{};

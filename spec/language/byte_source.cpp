@@ -54,7 +54,7 @@ std::FILE* opened(const std::string& path) {
   struct stat what{};
   if (::fstat(descriptor, &what) == 0 && !given && !S_ISREG(what.st_mode) && !S_ISDIR(what.st_mode)) {
     ::close(descriptor);
-    throw InputError(path, 0, 0, "cannot be read: it is no plain file; - reads standard input");
+    throw InputError(path, 0, 0, "cannot be read: it is not a regular file; use - for standard input");
   }
   return ::fdopen(descriptor, "rb");
 }

@@ -25,13 +25,13 @@ class ByteSource {
 std::unique_ptr<ByteSource> stream_source(std::istream& stream);
 // The text must outlive the source.
 std::unique_ptr<ByteSource> text_source(std::string_view text);
-// The file of this name, or standard input for "-". Throws InputError where it cannot be opened or, later, read.
+// The file of this name, or standard input for "-". Throws InputError if it cannot be opened or, later, read.
 std::unique_ptr<ByteSource> file_source(const std::string& path);
 
-// Throws InputError where this is no plain file that can be read: a device or a pipe may never end.
+// Throws InputError if this is not a regular file that can be read. A device or a pipe may never end.
 void expect_plain_file(const std::string& path);
 
-// The whole of a file, or of standard input for "-". Throws InputError where it cannot be read or is longer than
+// The whole content of a file, or of standard input for "-". Throws InputError if it cannot be read or is longer than
 // `limit` bytes.
 std::string read_file(const std::string& path, std::size_t limit = std::size_t{1} << 30);
 // The name of a file in messages: "-" is "standard input".

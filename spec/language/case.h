@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one interchange format (corpus/schema/case.schema.json): golden vectors, findings, controller requests.
+// Cases, the one interchange format (corpus/schema/case.schema.json): golden vectors, findings and requests to
+// controllers.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +16,8 @@
 
 namespace toolcomp::spec {
 
-// An expected or reported number as text. Golden vectors: the exact value lies in [v - r, v + r]; q is the exact
-// rational value, where it is one. Controllers and fast results: v alone.
+// An expected or reported number as text. In golden vectors the exact value is in [v - r, v + r], and q is the exact
+// value if it is rational. Controllers and the fast engine give only v.
 struct NumberText {
   std::string v;
   std::string r;  // empty: not stated
@@ -33,10 +34,10 @@ struct CaseSource {
   friend bool operator==(const CaseSource&, const CaseSource&) = default;
 };
 
-// The most parts a block is divided into for samples.
+// The largest number of parts of a block, with samples between them.
 inline constexpr std::uint32_t kMostSamples = 1'000'000;
 
-// The language of programs, which a control decides alone.
+// The language of programs. The control alone decides it.
 constexpr std::string_view dialect_of(Control control) { return control == Control::heidenhain ? "klartext" : "fanuc"; }
 
 struct Case {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tree of a case to a Case. For readers of files that hold cases among other things.
+// Turns the tree of a case into a Case. For readers of files that contain cases among other things.
 #pragma once
 
 #include "spec/language/case.h"

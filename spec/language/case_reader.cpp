@@ -23,7 +23,7 @@ std::string dialect_from(const Node* node, Control control, const Reader& read) 
   if (node == nullptr) return dialect;
   (void)read.choice(*node, "dialect", {"fanuc", "klartext"});
   if (node->text != dialect)
-    read.fail(node->at, "dialect: the control of the setup takes " + document::in_quotes(dialect) + ", found " +
+    read.fail(node->at, "dialect: the control of the setup needs " + document::in_quotes(dialect) + ", found " +
                             document::in_quotes(node->text));
   return dialect;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A decimal number as it was written: exact, no arithmetic.
+// A decimal number as it was written. It is exact, and has no arithmetic.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct Decimal {
   static constexpr int kMaxDigits = 18;
 
   std::uint64_t digits = 0;
-  std::uint8_t decimals = 0;  // digits behind the point
+  std::uint8_t decimals = 0;  // digits after the point
   bool negative = false;
   bool point = false;  // a decimal point was written
 
@@ -24,11 +24,10 @@ struct Decimal {
   friend constexpr bool operator==(const Decimal&, const Decimal&) = default;
 };
 
-// Reads [+-]digits[.digits] or [+-].digits and nothing else; nothing if `text` is not such a number or has more than
-// kMaxDigits digits.
+// Reads [+-]digits[.digits] or [+-].digits. std::nullopt if `text` is anything else or has more than kMaxDigits digits.
 std::optional<Decimal> parse_decimal(std::string_view text);
 
-// A number without sign, point and leading zeros, at most `most`, which a std::uint32_t holds.
+// Reads a number without sign, point and leading zeros, at most `most`, which must fit in a std::uint32_t.
 std::optional<std::uint32_t> parse_small_number(std::string_view text, std::uint64_t most);
 
 // The shortest text that parse_decimal reads back to the same Decimal.

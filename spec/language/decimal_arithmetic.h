@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sums, products and quotients of numbers in a program (macro variables, Q parameters), exactly. Nothing where a result
-// is no decimal of at most Decimal::kMaxDigits digits.
+// Exact sums, products and quotients of numbers in a program (macro variables, Q parameters). std::nullopt if a result
+// is not a decimal of at most Decimal::kMaxDigits digits.
 #pragma once
 
 #include <optional>
@@ -9,12 +9,12 @@
 
 namespace toolcomp::spec {
 
-// Results have no trailing zeros behind the point, no -0, and a point where they have decimals.
+// Results have no trailing zeros after the point and no -0. They have a point if they have decimals.
 std::optional<Decimal> sum(const Decimal& a, const Decimal& b);
 std::optional<Decimal> product(const Decimal& a, const Decimal& b);
-// Nothing where b is 0, too.
+// Also std::nullopt if b is 0.
 std::optional<Decimal> quotient(const Decimal& a, const Decimal& b);
-// A number with the other sign.
+// The number with the opposite sign.
 constexpr Decimal negated(Decimal a) {
   a.negative = !a.negative && a.digits != 0;
   return a;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The order of decimals by value: 1.50 and 1.5 are alike, and so are -0 and 0.
+// The order of decimals by value: 1.50 equals 1.5, and -0 equals 0.
 #pragma once
 
 #include <compare>
@@ -11,7 +11,7 @@
 namespace toolcomp::spec {
 
 inline std::strong_ordering compare(const Decimal& a, const Decimal& b) {
-  // What stands before the point, then what stands behind it.
+  // The digits before the point, then the digits after it.
   const auto magnitude = [](const Decimal& value) {
     const auto power = [](int exponent) {
       std::uint64_t result = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decimal digits of a text, eight bytes at once. Internal to the readers of programs.
+// Reads decimal digits of a text, eight bytes at once. Internal to the readers of programs.
 #pragma once
 
 #include <array>
@@ -17,10 +17,10 @@ inline constexpr std::array<std::uint64_t, 19> kPowersOfTen = [] {
   return powers;
 }();
 
-// At most seven digits at one place, read at once: in a word whose lowest byte is the first one.
+// At most seven digits at one place, read as one word whose lowest byte is the first character.
 static_assert(std::endian::native == std::endian::little);
 struct Digits {
-  unsigned count = 0;  // 8: as many or more, and no number
+  unsigned count = 0;  // 8 means eight digits or more: then there is no number
   std::uint64_t number = 0;
 };
 
@@ -29,12 +29,12 @@ inline Digits digits_at(const char* at) {
   std::uint64_t bytes = 0;
   std::memcpy(&bytes, at, sizeof bytes);
   bytes ^= 0x3030'3030'3030'3030;
-  // The first byte above 9 carries into the next ones, which do not count.
+  // The first byte above 9 carries into the next bytes, which do not matter.
   const std::uint64_t others = ((bytes + 0x7676'7676'7676'7676) | bytes) & 0x8080'8080'8080'8080;
   const auto count = static_cast<unsigned>(std::countr_zero(others)) / 8;
   if (count > 7) [[unlikely]]
     return {8, 0};
-  // Zeros before it; then pairs, and the pairs by their powers of 100.
+  // Put zeros before the number; then add the digits in pairs, and the pairs with their powers of 100.
   bytes = bytes << (56 - 8 * count) << 8U;
   bytes = bytes * 10 + (bytes >> 8U);
   constexpr std::uint64_t kPair = 0x0000'00FF'0000'00FF;

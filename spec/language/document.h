@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A JSON or TOML text as a tree with exact number texts and positions. For the readers of this folder and of manifests.
+// A JSON or TOML text as a tree, with the exact texts of numbers and with positions. For the readers of this folder and
+// of manifests.
 #pragma once
 
 #include <cstdint>
@@ -43,15 +44,16 @@ struct Member {
   Node value;
 };
 
-// Both throw InputError with the position of the fault, also for nesting deeper than kMaxDepth, and for more values
-// than an answer of the longest length has.
+// Both throw InputError with the position of the fault. They also throw for nesting deeper than kMaxDepth, and for more
+// values than the longest permitted answer can have.
 inline constexpr int kMaxDepth = 64;
 inline constexpr std::size_t kMaxValues = 5'000'000;
 inline constexpr std::size_t kLongestToml = std::size_t{1} << 24;
 Node parse_json(std::string_view text, const std::string& file);
 Node parse_toml(std::string_view text, const std::string& file);
 
-// Typed access with errors that say where, what is wrong and what was expected. `name` is what messages call the value.
+// Typed access. Errors give the place, what is wrong and what was expected. `name` is the name of the value in
+// messages.
 class Reader {
  public:
   explicit Reader(std::string file) : file_(std::move(file)) {}
@@ -74,9 +76,9 @@ class Reader {
                                    std::initializer_list<std::string_view> choices) const {
     return choice(node, name, std::span(choices.begin(), choices.size()));
   }
-  // The member of a table; a table without it is an error.
+  // The member of a table. It is an error if the table does not have it.
   [[nodiscard]] const Node& needed(const Node& table, std::string_view key) const;
-  // `node` must be a table of these keys.
+  // `node` must be a table with no other keys than these.
   void keys(const Node& node, std::string_view name, std::span<const std::string_view> known) const;
   void keys(const Node& node, std::string_view name, std::initializer_list<std::string_view> known) const {
     keys(node, name, std::span(known.begin(), known.size()));
@@ -88,7 +90,7 @@ class Reader {
 
 // "a decimal number", "a string", … for messages.
 std::string_view describe(Kind kind);
-// The text in double quotes, shortened where it is long, for messages.
+// The text in double quotes, shortened if it is long, for messages.
 std::string in_quotes(std::string_view text);
 
 }  // namespace toolcomp::spec::document

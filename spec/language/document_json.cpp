@@ -96,7 +96,7 @@ class Parser {
       ++at_;
     else
       digits();
-    if (digit()) fail("a JSON number does not begin with 0 and another digit");
+    if (digit()) fail("a JSON number must not begin with 0 and another digit");
     if (peek() == '.') {
       ++at_;
       digits();
@@ -179,7 +179,7 @@ class Parser {
       out.append(text_, plain, at_ - plain);
       const int byte = peek();
       if (byte == '"') break;
-      if (byte == -1) fail("a string without end");
+      if (byte == -1) fail("a string without its closing quote");
       if (byte < 0x20) fail("a control character in a string; expected an escape such as \\n");
       if (byte == '\\')
         escape(out);

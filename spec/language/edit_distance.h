@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far two texts are apart, for messages that name the nearest known one.
+// The distance of two texts, for messages that suggest the nearest known name.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace toolcomp::spec {
 
-// The number of characters put in, left out, replaced or exchanged with their neighbour.
+// The number of characters that are inserted, left out, replaced, or exchanged with their neighbour.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
 }  // namespace toolcomp::spec

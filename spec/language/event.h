@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run yields (docs/events.md): one type for both engines, over their own number.
+// Events, the items that a run yields (docs/events.md). Both engines use one template, each with its own number type.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ enum class EventKind : std::uint8_t {
   hole
 };
 
-// The run ends here: with an alarm of the control, or because what a control does from here on is not known.
+// Whether the run ends here: with an alarm of the control, or because it is not known what a control does from here on.
 constexpr bool ends_run(EventKind kind) {
   return kind == EventKind::alarm || kind == EventKind::not_supported || kind == EventKind::not_judged;
 }
@@ -47,40 +47,41 @@ struct Arc {
   AxisValues<Number> center;
   Plane plane = Plane::xy;
   ArcDirection direction = ArcDirection::cw;
-  std::optional<Number> sweep;                      // of the tool's own arc; absent where an end lies in the centre
-  std::optional<std::pair<Number, Number>> radius;  // start and end, where they differ
+  std::optional<Number> sweep;                      // of the arc that the tool runs; absent if an end is in the centre
+  std::optional<std::pair<Number, Number>> radius;  // at the start and at the end, if they differ
 };
 
-// Where the cutter touches the workpiece (Heidenhain blocks with a surface normal). Vectors are X, Y, Z.
+// The point at which the cutter touches the workpiece (Heidenhain blocks with a surface normal). Vectors are X, Y, Z.
 template <class Number>
 struct Contact {
   std::array<Number, 3> point{};   // q
   std::array<Number, 3> normal{};  // n, unit, from the workpiece into the tool
   bool flat = false;               // the normal is along the tool (w = 0): the flat bottom touches
-  std::optional<Number> angle;     // between normal and tool in degrees; tools with a table of deviations only
+  std::optional<Number> angle;     // between normal and tool in degrees; only for tools with a table of deviations
 };
 
-// What 3D tool compensation adds to a move (Heidenhain; docs/events.md). Vectors are X, Y, Z.
+// The fields that 3D tool compensation adds to a move (Heidenhain; docs/events.md). Vectors are X, Y, Z.
 template <class Number>
 struct SpaceCompensation {
-  std::array<Number, 3> tool_center{};           // of the effective tool
-  std::array<Number, 3> shift{};                 // of the tip against the nominal tool
-  std::array<Number, 3> tool_shift{};            // of the real tool against one without deltas
-  std::optional<std::array<Number, 3>> carrier;  // where the tool table gives the length
-  std::optional<Contact<Number>> contact;        // blocks with a surface normal
+  std::array<Number, 3> tool_center{};           // centre of the effective tool
+  std::array<Number, 3> shift{};                 // tip of the effective tool less tip of the nominal tool
+  std::array<Number, 3> tool_shift{};            // shift of the real tool against a tool without deltas
+  std::optional<std::array<Number, 3>> carrier;  // if the tool table gives the overall length
+  std::optional<Contact<Number>> contact;        // only in blocks with a surface normal
 };
 
-// Of a hole that a canned cycle drills, coordinates along the drilling axis: workpiece coordinates, setup units, before
-// length offset.
+// A hole that a canned cycle drills, as coordinates along the drilling axis: in workpiece coordinates, in setup units,
+// before length offset.
 template <class Number>
 struct Hole {
-  std::size_t axis = 0;  // the drilling axis, by its place in the setup; events of controllers do not say it
+  std::size_t axis = 0;  // index of the drilling axis in the setup; events of controllers do not give it
   Number point_r{};
   Number bottom{};
-  Number level{};  // to which the tool returns
+  Number level{};  // the level to which the tool returns
 };
 
-// The clauses an event rests on, all of them, each once, in the order they were applied: what decided comes last.
+// All clauses that an event rests on, each once, in the order in which they were applied. The deciding clause is the
+// last.
 class ClauseList {
  public:
   void add(Clause clause) {
@@ -102,14 +103,15 @@ class ClauseList {
   std::vector<Clause> clauses_;
 };
 
-// The list of an event in double precision: the fast engine marks no clauses, and its events stay small.
+// Takes the place of the list in events in double precision: the fast engine marks no clauses, and its events stay
+// small.
 struct NoClauses {
   static constexpr bool empty() { return true; }
   static constexpr const Clause* begin() { return nullptr; }
   static constexpr const Clause* end() { return nullptr; }
 };
 
-// Undecided only: which outcomes of the decision the specification permits.
+// For undecided events: the outcomes of the decision that the specification permits.
 struct PermittedOutcomes {
   bool positive = false;
   bool negative = false;
@@ -117,11 +119,11 @@ struct PermittedOutcomes {
   friend bool operator==(const PermittedOutcomes&, const PermittedOutcomes&) = default;
 };
 
-// The same of the move that an event stands for.
+// Takes the place of the move of an event in the same way.
 struct NoMove {};
 
-// A plain value: copying one in double precision does not allocate. Fields that do not belong to `kind` are
-// left at their defaults.
+// A plain value. Copying an event in double precision does not allocate. Fields that do not belong to `kind` are left
+// at their defaults.
 template <class Number>
 struct Event {
   EventKind kind = EventKind::move;
@@ -131,33 +133,34 @@ struct Event {
   // move
   MoveType type = MoveType::linear;
   Cause cause = Cause::programmed;
-  AxisValues<Number> programmed;                   // linear axes, workpiece coordinates, absolute
+  AxisValues<Number> programmed;                   // linear axes, absolute, in workpiece coordinates
   AxisValues<Number> point;                        // linear axes: the compensated tool point, before length offset
-  AxisValues<Number> axes;                         // all axes: what they are sent to, workpiece coordinates
+  AxisValues<Number> axes;                         // all axes: positions they are sent to, in workpiece coordinates
   AxisValues<Number> machine;                      // G53, G28, G30 (docs/events.md, 9): all axes, machine coordinates
-  std::optional<std::array<Number, 3>> tool_axis;  // tip → holder, unit; where the setup or the program defines one
+  std::optional<std::array<Number, 3>> tool_axis;  // unit, tip → holder; if the setup or the program defines one
   std::optional<Arc<Number>> arc;
   std::optional<Number> feed;                      // F in force, setup units; not for rapid moves
   std::optional<SpaceCompensation<Number>> space;  // Heidenhain
-  std::uint16_t unknown = 0;  // Heidenhain, bit i: where axis i stands is not known, and no field has it
+  std::uint16_t unknown = 0;  // Heidenhain, bit i: the position of axis i is unknown, and no field has it
 
-  // hole: `point` is its position, the linear axes but the drilling axis; `axes` where they stand behind it.
+  // Hole: `point` is its position in the linear axes without the drilling axis. `axes` has the positions after the
+  // hole.
   std::optional<Hole<Number>> hole;
 
   // alarm, warning, undecided, not supported, not judged
-  AlarmCause alarm = AlarmCause::none;  // of an alarm; none where a controller does not name it
-  // What the control shows (alarm: PS0041), a name (warning), the clause (undecided), what stands in the program (not
-  // supported, not judged: G81).
+  AlarmCause alarm = AlarmCause::none;  // of an alarm; none if a controller does not name it
+  // Alarm: the number that the control shows, such as PS0041. Warning: a name. Undecided: the clause. Not supported and
+  // not judged: the word of the program, such as G81.
   Name number;
   const char* message = "";  // static text
 
   // undecided
   PermittedOutcomes permitted;
-  bool out_of_scope = false;  // reason OUT_OF_SCOPE: nothing here is modelled, and the run goes on
+  bool out_of_scope = false;  // reason OUT_OF_SCOPE: the model does not cover this block, and the run goes on
 
   // setting
-  Name setting;  // "H1", "H1.wear"
-  Number value{};  // in no output: of an alarm of interference of the model, by how much the paths cross, if not 0
+  Name setting;    // "H1", "H1.wear"
+  Number value{};  // not in any output: in an interference alarm of the model, by how much the paths cross, if not 0
 
   // sample
   std::uint32_t t_numerator = 0;
@@ -165,8 +168,8 @@ struct Event {
 
   // the model fills them
   [[no_unique_address]] std::conditional_t<std::is_same_v<Number, double>, NoClauses, ClauseList> clauses;
-  // In no output. An alarm or `undecided` in place of a move that those before it were made with: that move, as far as
-  // its block says it (programmed, arc).
+  // Not in any output. If an alarm or `undecided` takes the place of a move that the moves before it were computed
+  // with: that move, as far as its block gives it (programmed, arc).
   [[no_unique_address]] std::conditional_t<std::is_same_v<Number, double>, NoMove, std::shared_ptr<const Event>> unmade;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Events as CSV (RFC 4180, lines end with a line feed): one row an event, one column a number. Of
-// moves, nothing allocates but the text itself.
+// Events as CSV (RFC 4180, lines end with a line feed): one row for each event, one column for each number. Writing a
+// move allocates only the text itself.
 #pragma once
 
 #include <array>
@@ -16,11 +16,11 @@
 
 namespace toolcomp::spec {
 
-// Appends `text`, in quotes where it holds a comma, a quote or a line feed.
+// Appends `text`, in quotes if it contains a comma, a quote or a line feed.
 void append_csv_text(std::string& out, std::string_view text);
 
-// The names of the columns for a setup with these axes: kind, line, n, type, cause, programmed.X, … Under
-// Control::heidenhain the columns of 3D tool compensation stand before feed, and `reason` before clauses.
+// The names of the columns for a setup with these axes: kind, line, n, type, cause, programmed.X, … With
+// Control::heidenhain the columns of 3D tool compensation come before feed, and `reason` comes before clauses.
 void append_csv_header(std::string& out, const Axes& axes, Control control = Control::fanuc);
 
 // Writes the columns of one event.
@@ -105,7 +105,7 @@ class EventCsv {
     }
   }
 
-  // Three columns, empty without a vector.
+  // Three columns. They are empty without a vector.
   void vector(const std::array<Number, 3>* vector) {
     for (std::size_t i = 0; i < 3; ++i) {
       if (vector != nullptr) append_number_(out_, (*vector)[i]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tree of an event to a TextEvent. Internal to the readers of cases and replies.
+// Turns the tree of an event into a TextEvent. Internal to the readers of cases and replies.
 #pragma once
 
 #include "spec/language/case.h"
@@ -8,8 +8,8 @@
 
 namespace toolcomp::spec {
 
-// Cases admit the fields of docs/events.md, and demand those without which an event means nothing; replies of
-// controllers may leave out fields, and what is unknown in them is ignored.
+// Cases may have only the fields of docs/events.md, and must have those without which an event has no meaning. Replies
+// of controllers may leave out fields, and unknown parts of them are ignored.
 enum class Strictness : std::uint8_t { of_cases, of_replies };
 
 struct EventWithFields {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The compensated path as a plain program: G00 G01 G02 G03 with axis words, all compensation worked in. Of
-// moves, nothing allocates but the text itself.
+// The compensated path as a plain program: G00 G01 G02 G03 with axis words that contain all compensation. Writing a
+// move allocates only the text itself.
 #pragma once
 
 #include <array>
@@ -15,12 +15,13 @@
 
 namespace toolcomp::spec {
 
-// What a program needs before the first event, and after the last.
+// The text that a program needs before the first event, and after the last event.
 void append_gcode_begin(std::string& out, Units units);
 void append_gcode_end(std::string& out);
 
-// What the writer keeps between events: the tool point, from which I J K of an arc are counted. Begin with where the
-// program starts, or empty: then an arc that comes first has no I J K for the axes whose start is unknown.
+// The state of the writer between events: the tool point, from which I J K of an arc are counted. Begin with the start
+// position of the program, or empty. If it is empty, an arc as the first move has no I J K for axes whose start is
+// unknown.
 template <class Number>
 struct GcodeState {
   AxisValues<Number> point;
@@ -101,7 +102,7 @@ class EventGcode {
       if (event.point.has(axis)) state_.point.set(axis, event.point[axis]);
   }
 
-  // The drilling axis by itself, last: the way to point R, to the bottom and back is the same whatever the cycle.
+  // The drilling axis moves alone, and last. The way to point R, to the bottom and back is the same for all cycles.
   void hole(const Event<Number>& event) {
     if (!event.hole || !event.axes.has(event.hole->axis)) return;
     const Hole<Number>& hole = *event.hole;
@@ -123,7 +124,7 @@ class EventGcode {
     state_.point.set(hole.axis, hole.level);
   }
 
-  // The centre belongs to `point`, and so does the start that I J K are counted from: the difference is the same for
+  // The centre belongs to `point`, and so does the start from which I J K are counted. Their difference is the same for
   // the axes.
   void center(const Arc<Number>& arc) {
     constexpr std::string_view kLetters = "XYZ";
@@ -162,17 +163,17 @@ class EventGcode {
   GcodeState<Number>& state_;
 };
 
-// Appends the event to a std::string or TextCursor as one line: a move to its `axes`, absolute, in the workpiece
-// coordinate system it was made in (events do not say when G54 to G59 change); a hole as the way to point R, to its
-// bottom and back; alarms, warnings and settings as comments; nothing for a sample (straight_to makes a move of it).
-// append_number(out, value) appends one number without exponent. Number needs a minus, for I J K.
+// Appends the event to a std::string or TextCursor as one line. A move goes to its `axes`, absolute, in the workpiece
+// coordinate system in which it was made (events do not say when G54 to G59 change). A hole is the way to point R, to
+// its bottom and back. Alarms, warnings and settings are comments. A sample gives nothing (straight_to makes a move of
+// it). append_number(out, value) appends one number without exponent. Number needs an operator -, for I J K.
 template <class Text, class Number, class AppendNumber>
 void append_event_gcode(Text& out, const Event<Number>& event, const Axes& axes, const AppendNumber& append_number,
                         GcodeState<Number>& state) {
   EventGcode<Text, Number, AppendNumber>(out, axes, append_number, state).write(event);
 }
 
-// The move as a straight one to other `axes`, such as those of a sample inside it.
+// The move as a straight move to other `axes`, such as those of a sample inside it.
 template <class Number>
 [[nodiscard]] Event<Number> straight_to(const AxisValues<Number>& axes, const Event<Number>& move) {
   Event<Number> result = move;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Events as JSON lines (docs/events.md). Of moves, nothing allocates but the text itself.
+// Events as JSON lines (docs/events.md). Writing a move allocates only the text itself.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace toolcomp::spec {
 
-// Writes the fields of one event in the order that golden vectors have.
+// Writes the fields of one event in the order of golden vectors.
 template <class Text, class Number, class AppendNumber>
 class EventJson {
  public:
@@ -79,7 +79,7 @@ class EventJson {
     append_json_string(quoted, value);
     out_.append(quoted);
   }
-  // A name of event_names.h: nothing in it to escape.
+  // A name of event_names.h. It needs no escapes.
   void word(std::string_view field, std::string_view name) {
     key(field);
     quoted(name);

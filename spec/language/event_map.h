@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The same event over another number.
+// Converts an event to another number type.
 #pragma once
 
 #include <array>
@@ -42,8 +42,8 @@ SpaceCompensation<To> map_numbers(const SpaceCompensation<From>& space, const Fu
   return mapped;
 }
 
-// Every number of the event that is there, through `function`; everything else as it is, but for clauses where one of
-// the two has none.
+// Applies `function` to every number that the event has, and copies everything else. Clauses are copied only if both
+// types have them.
 template <class To, class From, class Function>
 Event<To> map_numbers(const Event<From>& event, const Function& function) {
   const auto optional = [&function](const std::optional<From>& value) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The names of what events are made of, in both directions.
+// The names of the enumerations in events, in both directions.
 #pragma once
 
 #include <algorithm>
@@ -28,16 +28,16 @@ inline constexpr std::array<std::string_view, 3> kNames<Plane>{"XY", "ZX", "YZ"}
 template <>
 inline constexpr std::array<std::string_view, 2> kNames<ArcDirection>{"cw", "ccw"};
 
-// The reason of an undecided event that is none of the specification's open questions.
+// The reason of an undecided event that is not an open question of the specification.
 inline constexpr std::string_view kOutOfScope = "OUT_OF_SCOPE";
 
-// "start-up" of Cause::start_up.
+// The name of a value: "start-up" for Cause::start_up.
 template <class Enum>
 constexpr std::string_view name(Enum value) {
   return kNames<Enum>[static_cast<std::size_t>(value)];
 }
 
-// Cause::start_up of "start-up"; nothing for any other text.
+// The value of a name: Cause::start_up for "start-up"; std::nullopt for an unknown name.
 template <class Enum>
 constexpr std::optional<Enum> from_name(std::string_view text) {
   const auto found = std::ranges::find(kNames<Enum>, text);

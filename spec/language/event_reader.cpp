@@ -142,16 +142,16 @@ class EventReader {
     }
     if (strict_) read_.keys(node, field_name(field), {"v", "r", "q"});
     const Node* v = node.find("v");
-    if (v == nullptr) read_.fail(node.at, std::string(field_name(field)) + ": a number without v");
+    if (v == nullptr) read_.fail(node.at, std::string(field_name(field)) + ": the number has no \"v\"");
     value.v = number_part(*v, field);
     if (const Node* r = node.find("r")) {
       value.r = number_part(*r, field);
-      if (value.r.front() == '-') read_.fail(r->at, std::string(field_name(field)) + ": a radius below 0");
+      if (value.r.front() == '-') read_.fail(r->at, std::string(field_name(field)) + ": r must not be negative");
     }
     if (const Node* q = node.find("q")) {
       value.q = read_.string(*q, field_name(field));
       if (!is_fraction(value.q))
-        read_.fail(q->at, std::string(field_name(field)) + ": q is a fraction such as \"-3/4\"");
+        read_.fail(q->at, std::string(field_name(field)) + ": q must be a fraction such as \"-3/4\"");
     }
     return value;
   }
@@ -178,7 +178,7 @@ class EventReader {
         result.set(axis, number(member.value, field));
       else if (strict_)
         read_.fail(member.at,
-                   std::string(field_name(field)) + ": " + in_quotes(member.name) + " is no axis of the setup");
+                   std::string(field_name(field)) + ": " + in_quotes(member.name) + " is not an axis of the setup");
     }
     return result;
   }
@@ -230,7 +230,7 @@ class EventReader {
       if (axis != Axes::kNone)
         axes = static_cast<std::uint16_t>(axes | 1U << axis);
       else if (strict_)
-        read_.fail(item.at, "unknown: " + in_quotes(letter) + " is no axis of the setup");
+        read_.fail(item.at, "unknown: " + in_quotes(letter) + " is not an axis of the setup");
     }
     return axes;
   }
@@ -238,8 +238,8 @@ class EventReader {
   AlarmCause alarm_cause(const Node& node) const {
     const std::optional<AlarmCause> cause = find_alarm(read_.string(node, "cause"));
     if (!cause)
-      read_.fail(node.at,
-                 "cause: " + in_quotes(node.text) + " is no cause of an alarm (`toolcomp spec alarms` lists them)");
+      read_.fail(node.at, "cause: " + in_quotes(node.text) +
+                              " is not the cause of an alarm (`toolcomp spec alarms` lists them)");
     return *cause;
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fields of events by name: which of them an event has, which a controller announces.
+// The fields of events by name, and sets of them: the fields that an event has, or that a controller announces.
 #pragma once
 
 #include <algorithm>

@@ -45,7 +45,7 @@ class NewFile {
     if (path_.has_parent_path()) fs::create_directories(path_.parent_path(), error);
     const fs::file_status there = fs::symlink_status(path_, error);
     if (fs::exists(there) && !fs::is_regular_file(there) && !fs::is_symlink(there))
-      throw InputError(path_.string(), 0, 0, "cannot be written: it is no plain file");
+      throw InputError(path_.string(), 0, 0, "cannot be written: it is not a regular file");
     // Nobody can know that name before, so that nothing lies there.
     std::random_device random;
     beside_ = path_.string() + "." + std::to_string(random()) + std::to_string(random()) + ".part";

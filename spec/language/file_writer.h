@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files written so that no half of one is ever seen.
+// Writes files in such a way that a reader never sees half of one.
 #pragma once
 
 #include <filesystem>
@@ -10,13 +10,13 @@
 
 namespace toolcomp::spec {
 
-// Writes beside `path` and renames, so that a reader sees the old file or the whole new one. Makes the folder. A link
-// is replaced, not followed; what is no plain file (a device, a folder) is refused. Throws InputError naming the file
-// and why; nothing is left then.
+// Writes a file next to `path` and renames it, so that a reader sees the old file or the whole new one. Makes the
+// folder. A link is replaced, not followed. Anything other than a regular file (a device, a folder) is refused. Throws
+// InputError with the file and the reason; no part of the new file is left then.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
-// The same of files that belong together: all are on the disk before the first of them is seen, so that a disk that is
-// full leaves those of before.
+// The same for files that belong together: all of them are on the disk before the first of them is renamed, so that a
+// full disk leaves the old files.
 using FileText = std::pair<std::filesystem::path, std::string>;
 void write_files(const std::vector<FileText>& files);
 

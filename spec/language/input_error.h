@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Input that nobody could read: reported with its position, exit status 2.
+// The error of input that cannot be read. It has a position, and the command ends with exit status 2.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace toolcomp::spec {
 
-// Bytes that are no text, malformed cases and setups, missing files (docs/events.md, rule 5). what() is
-// "FILE:LINE:COLUMN: what is wrong"; line and column count from 1 and are left out where they are 0.
+// For bytes that are not text, malformed cases and setups, missing files (docs/events.md, rule 5). what() is
+// "FILE:LINE:COLUMN: what is wrong". Line and column count from 1, and are left out if they are 0.
 class InputError : public std::runtime_error {
  public:
   InputError(std::string file, std::uint64_t line, std::uint64_t column, std::string message);

@@ -39,10 +39,10 @@ KnownSet KnownSet::of(const std::vector<std::string>& names) {
   set.chosen_.fill(false);
   for (const std::string& name : names) {
     const auto known = find_known(name);
-    if (!known) throw std::invalid_argument(fmt::format("\"{}\" is none of {}", name, fmt::join(kNames, ", ")));
+    if (!known) throw std::invalid_argument(fmt::format("\"{}\" is not one of {}", name, fmt::join(kNames, ", ")));
     set.chosen_.at(static_cast<std::size_t>(*known)) = true;
   }
-  if (names.empty()) throw std::invalid_argument(fmt::format("names none of {}", fmt::join(kNames, ", ")));
+  if (names.empty()) throw std::invalid_argument(fmt::format("expected at least one of {}", fmt::join(kNames, ", ")));
   return set;
 }
 
@@ -60,7 +60,7 @@ void KnownCounts::add(const KnownCounts& more) {
 std::uint64_t KnownCounts::total() const { return std::accumulate(counts_.begin(), counts_.end(), std::uint64_t{0}); }
 
 std::string KnownCounts::words() const {
-  return fmt::format("{} are the manual's, {} a sister's, {} recollection, {} ours", of(Known::manual),
+  return fmt::format("{} from the manual, {} from a sister manual, {} from recollection, {} ours", of(Known::manual),
                      of(Known::sister), of(Known::recollection), of(Known::ours));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How well clauses are known: their names, sets and sums, and a source as a reader cites it.
+// How well clauses are known: names, sets and counts of these kinds, and the citation of a source.
 #pragma once
 
 #include <array>
@@ -26,16 +26,16 @@ std::optional<Known> find_known(std::string_view name);
 // "manual: A-78438E, page 23 (the page: …)".
 std::string cited(const ClauseInfo& clause);
 
-// A choice of them; all at first.
+// A set of these kinds. At first it has all of them.
 class KnownSet {
  public:
   KnownSet() = default;
-  // Throws std::invalid_argument for a name that is none, and for no name at all.
+  // Throws std::invalid_argument for an unknown name, and if there are no names.
   static KnownSet of(const std::vector<std::string>& names);
 
   [[nodiscard]] bool has(Known known) const { return chosen_.at(static_cast<std::size_t>(known)); }
   [[nodiscard]] bool is_all() const { return *this == KnownSet(); }
-  // The best first.
+  // The names, the best known kind first.
   [[nodiscard]] std::vector<std::string> names() const;
   friend bool operator==(const KnownSet&, const KnownSet&) = default;
 
@@ -43,21 +43,21 @@ class KnownSet {
   std::array<bool, kKnownKinds> chosen_{true, true, true, true};
 };
 
-// How many clauses are known how well.
+// Counts of clauses by how well they are known.
 class KnownCounts {
  public:
   void add(Known known, std::uint64_t clauses = 1) { counts_.at(static_cast<std::size_t>(known)) += clauses; }
   void add(const KnownCounts& more);
   [[nodiscard]] std::uint64_t of(Known known) const { return counts_.at(static_cast<std::size_t>(known)); }
   [[nodiscard]] std::uint64_t total() const;
-  // "61 are the manual's, 40 a sister's, 70 recollection, 43 ours".
+  // "61 from the manual, 40 from a sister manual, 70 from recollection, 43 ours".
   [[nodiscard]] std::string words() const;
 
  private:
   std::array<std::uint64_t, kKnownKinds> counts_{};
 };
 
-// Of the clauses that `counted` takes, by section in the order of the files.
+// Counts the clauses for which `counted` is true, by section in the order of the files.
 template <class Counted>
 std::vector<std::pair<std::string_view, KnownCounts>> known_by_section(Counted counted) {
   std::vector<std::pair<std::string_view, KnownCounts>> sections;

@@ -10,7 +10,7 @@
 
 namespace toolcomp::spec {
 
-// At most kCapacity characters; longer text is cut (no name of the specification is longer; a test checks it).
+// At most kCapacity characters. Longer text is cut (no name of the specification is longer, which a test checks).
 class Name {
  public:
   static constexpr std::size_t kCapacity = 63;

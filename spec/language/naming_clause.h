@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which clause of an event names a finding about it.
+// The clause of an event to which a finding about it is attributed.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace toolcomp::spec {
 
-// The last that makes the value of a move, where one of the list does (`makes_value` in the clause files), else the
-// last that was applied; nothing for an event without clauses.
+// The last clause that makes the value of a move (`makes_value` in the clause files), if the list has one; otherwise
+// the last clause that was applied; std::nullopt for an event without clauses.
 inline std::optional<Clause> naming_clause(const ClauseList& clauses) {
   std::optional<Clause> naming;
   for (const Clause clause : clauses)

@@ -16,7 +16,8 @@ nlohmann::json tree_of(const document::Node& node, const document::Reader& read)
       return node.text;
     case Kind::number: {
       auto number = nlohmann::json::parse(node.text, nullptr, false);
-      if (number.is_discarded()) read.fail(node.at, document::in_quotes(node.text) + " is beyond what a double holds");
+      if (number.is_discarded())
+        read.fail(node.at, document::in_quotes(node.text) + " is outside the range of a double");
       return number;
     }
     case Kind::array: {

@@ -110,7 +110,7 @@ std::string expected_value(ParameterId id, const Axes& axes) {
       else
         bits += (bits.empty() ? "" : " ") + std::to_string(other.id.bit);
     }
-    return (bits.empty() ? "0" : "a whole number of no bits but " + any_of(split(bits, ' '))) + others;
+    return (bits.empty() ? "0" : "a whole number that sets no bits except " + any_of(split(bits, ' '))) + others;
   }
   if (is_not_supported(*p)) return "0" + not_supported(*p);
   if (!p->values.empty()) return any_of(split(p->values, ' '));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text from outside, made so that a terminal, a report or a log shows it and obeys none of it.
+// Makes text from outside safe: a terminal, a report or a log shows it, and obeys nothing in it.
 #pragma once
 
 #include <cstddef>
@@ -8,13 +8,13 @@
 
 namespace toolcomp::spec {
 
-// The length of the character that `text` begins with, where it may be shown; 0 where it is a control character (C0,
-// DEL, C1), turns the direction of writing, ends a line in Unicode, or is no UTF-8.
+// The length of the first character of `text`, if it may be shown; 0 if it is a control character (C0, DEL, C1),
+// changes the writing direction, ends a line in Unicode, or is not UTF-8.
 std::size_t shown_length(std::string_view text);
 
-// One line: every byte that must not be shown as U+FFFD, at most `most` characters, then "…".
+// One line of text. Every byte that must not be shown becomes U+FFFD. After `most` characters the text ends with "…".
 std::string printable(std::string_view text, std::size_t most = 500);
-// The same of several lines: line ends and tabs stay.
+// The same for several lines: line ends and tabs stay.
 std::string printable_lines(std::string_view text, std::size_t most = 1'000'000);
 
 }  // namespace toolcomp::spec

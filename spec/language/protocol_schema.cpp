@@ -8,7 +8,7 @@ std::string_view hello_schema() {
   "$schema": "https://json-schema.org/draft/2020-12/schema",
   "$id": "hello.schema.json",
   "title": "Hello",
-  "description": "What a controller answers to {\"hello\":1}: what it is and what it gives (docs/protocol.md).",
+  "description": "The answer of a controller to {\"hello\":1}: its capabilities (docs/protocol.md).",
   "type": "object",
   "additionalProperties": false,
   "required": ["protocol", "sections", "fields"],
@@ -16,9 +16,9 @@ std::string_view hello_schema() {
     "name": { "type": "string" },
     "version": { "type": "string" },
     "protocol": { "const": 1 },
-    "sections": { "description": "The manual sections it has.", "type": "array", "items": { "type": "string", "pattern": "^(fanuc|heidenhain)/[a-z-]+$" } },
+    "sections": { "description": "The manual sections that the controller implements.", "type": "array", "items": { "type": "string", "pattern": "^(fanuc|heidenhain)/[a-z-]+$" } },
     "fields": {
-      "description": "The fields of events it gives. With less than kind, line and one of point and axes, nothing is judged.",
+      "description": "The fields of events that the controller gives. Nothing is judged without kind, line, and one of point and axes.",
       "type": "array",
       "items": { "enum": [
         "kind", "line", "n", "type", "cause", "programmed", "point", "axes", "machine", "unknown", "tool_axis", "center", "plane", "direction",
@@ -27,7 +27,7 @@ std::string_view hello_schema() {
       ] }
     },
     "resolution": {
-      "description": "Least increments of its numbers. Left out: double precision. One number r is r mm, r degrees, r of unit vectors and r/10 inches.",
+      "description": "Least increments of the numbers. Default: double precision. A single number r means r mm, r degrees, r for unit vectors and r/10 inches.",
       "oneOf": [
         { "$ref": "#/$defs/increment" },
         {
@@ -39,8 +39,8 @@ std::string_view hello_schema() {
         }
       ]
     },
-    "rounding": { "description": "How it makes them. Left out: any way passes.", "enum": ["nearest", "down", "toward zero"] },
-    "setup": { "description": "What it cannot change.", "$ref": "setup.schema.json" }
+    "rounding": { "description": "How the controller rounds to these increments. Default: any rounding passes.", "enum": ["nearest", "down", "toward zero"] },
+    "setup": { "description": "The settings that the controller cannot change.", "$ref": "setup.schema.json" }
   },
   "$defs": { "increment": { "type": "string", "pattern": "^[0-9]*\\.?[0-9]+$" } }
 }
@@ -52,7 +52,7 @@ std::string_view answer_schema() {
   "$schema": "https://json-schema.org/draft/2020-12/schema",
   "$id": "answer.schema.json",
   "title": "Answer",
-  "description": "What a controller answers to a case (docs/protocol.md).",
+  "description": "The answer of a controller to a case (docs/protocol.md).",
   "type": "object",
   "required": ["id"],
   "oneOf": [{ "$ref": "#/$defs/events" }, { "$ref": "#/$defs/not_applicable" }, { "$ref": "#/$defs/error" }],
@@ -61,21 +61,21 @@ std::string_view answer_schema() {
       "type": "object", "additionalProperties": false, "required": ["id", "events"],
       "properties": {
         "id": { "type": "string" },
-        "events": { "description": "What a run of the program yields, in order.", "type": "array", "items": { "$ref": "event.schema.json" } }
+        "events": { "description": "The events of a run of the program, in order.", "type": "array", "items": { "$ref": "event.schema.json" } }
       }
     },
     "not_applicable": {
       "type": "object", "additionalProperties": false, "required": ["id", "not_applicable"],
       "properties": {
         "id": { "type": "string" },
-        "not_applicable": { "description": "What the control does not have.", "type": "string", "minLength": 1 }
+        "not_applicable": { "description": "Why the case does not apply: what the control does not have.", "type": "string", "minLength": 1 }
       }
     },
     "error": {
       "type": "object", "additionalProperties": false, "required": ["id", "error"],
       "properties": {
         "id": { "type": "string" },
-        "error": { "description": "Why the case could not be run: a finding.", "type": "string", "minLength": 1 }
+        "error": { "description": "Why the controller could not run the case. This counts as a finding.", "type": "string", "minLength": 1 }
       }
     }
   }

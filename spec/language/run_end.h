@@ -7,8 +7,8 @@
 
 namespace toolcomp::spec {
 
-// An alarm of the control, by its cause and the number that the control shows; or, of what is not supported or not
-// judged, what stands in the program. `text`: static.
+// An alarm of the control, with its cause and the number that the control shows; or, for not supported and not judged,
+// the word of the program. `text` must be static.
 template <class Number>
 void end_run(Event<Number>& event, AlarmCause cause, const char* text, const AlarmNumbers& numbers) {
   event.message = text;

@@ -24,48 +24,48 @@ enum class OffsetMemory : std::uint8_t { a, b, c };
 // A FANUC parameter: the whole number, or one bit of it ("5001#2").
 struct ParameterId {
   std::uint32_t number = 0;
-  int bit = -1;  // 0–7, or -1 for the whole
+  int bit = -1;  // 0 to 7, or -1 for the whole number
   friend auto operator<=>(const ParameterId&, const ParameterId&) = default;
 };
 
-// One entry of tool offset memory, setup units. Memory A uses geometry alone.
+// One entry of the tool offset memory, in setup units. Memory A uses only geometry.
 struct OffsetEntry {
   Decimal geometry;
   Decimal wear;
   friend bool operator==(const OffsetEntry&, const OffsetEntry&) = default;
 };
 
-// Values by axis letter, setup units (degrees for rotary axes).
+// Values by axis letter, in setup units (degrees for rotary axes).
 using AxisTable = std::map<char, Decimal>;
 
-// A row of the Heidenhain tool table, mm.
+// A row of the Heidenhain tool table, in mm.
 struct ToolRow {
   std::uint32_t number = 0;  // tenths: 51 for tool 5.1
   std::string name;          // empty: none
   Decimal r, r2, dl, dr, dr2;
-  std::optional<Decimal> l;  // overall length, where known
-  std::string dr2_table;     // name of a table of deviations; empty: none
+  std::optional<Decimal> l;  // overall length, if known
+  std::string dr2_table;     // name of a table of deviations, or empty
   friend bool operator==(const ToolRow&, const ToolRow&) = default;
 };
 
-// A row of the compensation table in the tool system (.tco), mm.
+// A row of the compensation table in the tool system (.tco), in mm.
 struct CorrectionRow {
   Decimal dl, dr, dr2;
   friend bool operator==(const CorrectionRow&, const CorrectionRow&) = default;
 };
 
-// Deviations of the corner radius (mm) by the angle of the contact (degrees, ascending).
+// Deviations of the corner radius (mm) by contact angle (degrees, ascending).
 using DeviationTable = std::vector<std::pair<Decimal, Decimal>>;
 
-// The most that P of G54.1 and of G10 L20 may name.
+// The largest P of G54.1 and of G10 L20.
 inline constexpr std::uint32_t kAdditionalWorkpieces = 48;
 
-// What is chosen by key (units, rotary_angles, …) is inherited; setup_key.h has the table of it.
+// The values that are chosen by key (units, rotary_angles, …) are inherited; setup_key.h has their table.
 struct Setup : SetupKeys {
   Control control = Control::fanuc;
   Axes axes;
   std::map<ParameterId, Decimal> parameters;
-  std::map<AlarmCause, std::string> alarms;  // numbers of this control where they are others than those of its series
+  std::map<AlarmCause, std::string> alarms;  // alarm numbers of this control that differ from those of its series
 
   OffsetMemory memory = OffsetMemory::a;
   std::uint32_t offset_count = 400;
@@ -73,7 +73,7 @@ struct Setup : SetupKeys {
   std::map<std::uint32_t, OffsetEntry> d;
 
   std::array<AxisTable, 6> workpiece;  // G54 … G59: machine coordinates of the workpiece origin
-  // 0 is added to all of them (EXT); 1 to 48 are G54.1 P1 … P48.
+  // Entry 0 is added to all of them (EXT). Entries 1 to 48 are G54.1 P1 … P48.
   std::map<std::uint32_t, AxisTable> additional_workpiece;
   AxisTable position;                  // start, workpiece coordinates without offsets
   std::map<int, AxisTable> reference;  // 1, 2, 3, 4: machine coordinates for G28, G30
@@ -84,8 +84,8 @@ struct Setup : SetupKeys {
   std::map<std::uint32_t, CorrectionRow> tcs;        // [[correction.tcs]]
   std::map<std::string, DeviationTable> dr2_tables;  // [[dr2table]]
 
-  // The parameter as written, or nothing. A bit is looked up as "n#b" first, then in the whole number if that is given
-  // as an integer.
+  // The parameter as it was written, or std::nullopt. A bit is first looked up as "n#b", then in the whole number, if
+  // that is given as an integer.
   [[nodiscard]] std::optional<Decimal> parameter(std::uint32_t number) const;
   [[nodiscard]] bool bit(std::uint32_t number, int bit, bool otherwise = false) const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tree of a setup to a Setup. Internal to the readers of setups and cases.
+// Turns the tree of a setup into a Setup. Internal to the readers of setups and cases.
 #pragma once
 
 #include "spec/language/document.h"
@@ -9,7 +9,7 @@ namespace toolcomp::spec {
 
 Setup setup_from(const document::Node& node, const document::Reader& read);
 
-// The keys of Heidenhain alone: [[tool]], [[correction.tcs]], [[dr2table]].
+// Reads the keys that only Heidenhain has: [[tool]], [[correction.tcs]], [[dr2table]].
 void read_tool_tables(const document::Node& node, const document::Reader& read, Setup& setup);
 
 }  // namespace toolcomp::spec

@@ -18,7 +18,7 @@ control = "fanuc"                     # [fanuc]
 )toml";
 
 constexpr std::string_view kFanucAxes =
-    R"toml(axes = ["X", "Y", "Z", "B", "C"]      # [X Y Z] controlled axes 1, 2, 3, …: the numbers that 19681 and 19686 mean
+    R"toml(axes = ["X", "Y", "Z", "B", "C"]      # [X Y Z] controlled axes 1, 2, 3, …: parameters such as 19681 and 19686 use these numbers
 )toml";
 
 constexpr std::string_view kParametersHead =
@@ -29,7 +29,7 @@ constexpr std::string_view kParametersHead =
 constexpr std::string_view kFanucTables =
     R"toml(
 [offsets]                             # tool offset memory
-memory = "C"                          # A one value; B geometry and wear; C the same, H and D apart [A, or C if an entry has both]
+memory = "C"                          # A: one value; B: geometry and wear; C: as B, separate for H and D [A, or C if an entry has both]
 count = 400                           # [400] number of entries
 
 [offsets.H]
@@ -56,7 +56,7 @@ Z = 300
 [reference.floating]                  # G30.1
 Z = 250
 
-[measurement]                         # G37: axis positions where the approach-end signal comes on, workpiece coordinates
+[measurement]                         # G37: axis positions at which the approach-end signal comes on, workpiece coordinates
 Z = "198.0"
 )toml";
 
@@ -68,7 +68,7 @@ control = "heidenhain"                # programs are Klartext
 )toml";
 
 constexpr std::string_view kHeidenhainAxes =
-    R"toml(axes = ["X", "Y", "Z", "B", "C"]      # [X Y Z A B C] axes that a program may name; X, Y and Z must be there
+    R"toml(axes = ["X", "Y", "Z", "B", "C"]      # [X Y Z A B C] axes that a program may name; X, Y and Z must be among them
 )toml";
 
 constexpr std::string_view kHeidenhainTables =
@@ -77,12 +77,12 @@ constexpr std::string_view kHeidenhainTables =
 Z = 100
 
 [[tool]]                              # tool table, always in mm; all but the number may be left out [0]
-number = 1                            # 1 to 32767; an indexed tool is "5.1"
+number = 1                            # 1 to 32767; "5.1" is an indexed tool
 name = "BALL_6"                       # for TOOL CALL "BALL_6"
 R = 3                                 # tool radius
-R2 = 3                                # corner radius: 0 end mill, R ball, between the two toroid
-L = "80.25"                           # overall length up to the tip [unknown: results have no carrier]
-DL = 0                                # deltas of the tool table; TOOL CALL and [[correction.tcs]] add theirs
+R2 = 3                                # corner radius: 0 for an end mill, R for a ball cutter, in between for a toroid
+L = "80.25"                           # overall length up to the tip [unknown: events then have no carrier]
+DL = 0                                # deltas of the tool table; those of TOOL CALL and [[correction.tcs]] are added
 DR = "-0.1"
 DR2 = "-0.1"
 
@@ -103,9 +103,9 @@ DL = "-0.005"
 DR = "0.01"
 DR2 = "0.01"
 
-[[dr2table]]                          # deviation of the radius by the angle of the contact: 0 at the tip, 90 at the equator
+[[dr2table]]                          # deviation of the radius for each contact angle: 0 at the tip, 90 at the equator
 name = "BALL_6_MEASURED"
-points = [[0, 0], [40, "0.03"], [50, "-0.02"], [90, "0.01"]]  # [degrees, mm], straight lines between
+points = [[0, 0], [40, "0.03"], [50, "-0.02"], [90, "0.01"]]  # [degrees, mm], interpolated linearly
 )toml";
 
 constexpr std::size_t kCommentColumn = 38;

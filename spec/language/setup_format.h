@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Setups as text: TOML files, the JSON inside cases, their schema, and an example.
+// Reads and writes setups as text: TOML files, the JSON inside cases, their schema, and an example.
 #pragma once
 
 #include <string>
@@ -15,8 +15,8 @@ namespace toolcomp::spec {
 Setup read_setup_toml(std::string_view text, const std::string& file);
 Setup read_setup_json(std::string_view text, const std::string& file);
 
-// The setup as text that the reader of the same format reads back to an equal one. Stable: equal setups give equal
-// text. JSON is one line without a line feed.
+// The setup as text that the reader of the same format reads back to an equal setup. Equal setups give equal text. JSON
+// is one line without a line feed.
 std::string write_setup_toml(const Setup& setup);
 std::string write_setup_json(const Setup& setup);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a setup says by key, to choose what else the rules leave open: the registry spec/parameters.toml as a table.
-// Everything that reads, writes or compares the keys of a setup goes through it; engines read the members of Setup.
+// The keys of a setup, which choose what the rules would otherwise leave open: the registry spec/parameters.toml as a
+// table. All code that reads, writes or compares the keys of a setup uses this table. Engines read the members of
+// Setup.
 #pragma once
 
 #include <array>
@@ -13,20 +14,20 @@
 
 namespace toolcomp::spec {
 
-// A key as the registry states it. Of pairs the first is of Control::fanuc, the second of Control::heidenhain.
+// A key, as the registry gives it. The first of a pair is for Control::fanuc, the second for Control::heidenhain.
 struct KeyInfo {
   std::string_view id;                       // also the member of Setup
-  std::array<bool, 2> controls;              // whose setups have it
-  bool boolean;                              // its values are false and true, without quotes
+  std::array<bool, 2> controls;              // the controls whose setups have it
+  bool boolean;                              // whether its values are false and true, without quotes
   std::span<const std::string_view> values;  // in the order of the enumeration
   std::size_t default_value;                 // index of a value
-  bool always;                               // written also where it has its default
-  char letter;                               // of its line in a fuzzed case
-  std::span<const std::string_view> words;   // there, for the values; empty: the letter alone is the other of two
-  unsigned percent;  // directed cases of its clauses' sections with another value; 0: see fuzz/gen
+  bool always;                               // whether it is also written if it has its default
+  char letter;                               // letter of its line in a fuzzed case
+  std::span<const std::string_view> words;   // for the values there; empty: the letter alone is the other of two
+  unsigned percent;  // share of directed cases of its clauses' sections that have another value; 0: see fuzz/gen
   std::span<const std::string_view> clauses;        // ids
   std::array<std::string_view, 2> text;             // whole sentences
-  std::array<std::string_view, 2> comment;          // behind the default in the example of a setup
+  std::array<std::string_view, 2> comment;          // after the default in the example of a setup
   std::size_t (*get)(const SetupKeys& keys);        // index of the value
   void (*set)(SetupKeys& keys, std::size_t value);  // likewise
 
@@ -34,13 +35,13 @@ struct KeyInfo {
   [[nodiscard]] bool is_default(const SetupKeys& keys) const { return get(keys) == default_value; }
 };
 
-// In the order in which setups are written.
+// All keys, in the order in which setups are written.
 std::span<const KeyInfo> keys();
 
-// The one that the axes stand behind, which are no key of the registry.
+// The key after which the axes are written. The axes are not a key of the registry.
 inline constexpr std::string_view kKeyBeforeAxes = "units";
 
-// The value as TOML and JSON write it: true, "IS-B".
+// The value in the form of TOML and JSON: true, "IS-B".
 std::string value_text(const KeyInfo& key, std::size_t value);
 
 }  // namespace toolcomp::spec

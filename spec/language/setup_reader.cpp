@@ -32,7 +32,7 @@ Axes axes_from(const Node& node, const Reader& read) {
   for (const Node& item : node.items) {
     const std::string& letter = read.string(item, "axes");
     if (letter.size() != 1 || kAxisLetters.find(letter) == std::string_view::npos)
-      read.fail(item.at, "axes: " + in_quotes(letter) + " is no axis; expected one of A B C U V W X Y Z");
+      read.fail(item.at, "axes: " + in_quotes(letter) + " is not an axis; expected one of A B C U V W X Y Z");
     if (letters.find(letter) != std::string::npos) read.fail(item.at, "axes: axis " + letter + " is given twice");
     letters += letter;
   }
@@ -51,7 +51,7 @@ void refuse_row_of_bits(const Node& value, ParameterId id, const Reader& read) {
   const unsigned known = known_bits(id.number);
   const unsigned ones = static_cast<unsigned>(std::stoul(value.text, nullptr, 2)) & known;
   const int bit = std::countr_zero(ones != 0 ? ones : known);
-  read.fail(value.at, "parameters." + to_string(id) + ": bits are given one by one, as in " +
+  read.fail(value.at, "parameters." + to_string(id) + ": bits must be given one by one, as in " +
                           in_quotes(to_string(ParameterId{id.number, bit})) + " = 1, found " + in_quotes(value.text));
 }
 
@@ -59,8 +59,9 @@ void read_parameter(const Member& member, const Reader& read, Setup& setup) {
   const std::string& name = member.name;
   const std::optional<ParameterId> id = parse_parameter_id(name);
   if (!id)
-    read.fail(member.at, "parameters: " + in_quotes(name) +
-                             " is no parameter; expected a number up to 99999, or number#bit with a bit from 0 to 7");
+    read.fail(member.at,
+              "parameters: " + in_quotes(name) +
+                  " is not a parameter; expected a number up to 99999, or number#bit with a bit from 0 to 7");
   if (!is_known(*id))
     read.fail(member.at, "parameters: " + in_quotes(name) + " is not known (`toolcomp spec parameters` lists them)" +
                              did_you_mean(name, std::vector{to_string(nearest_parameter(*id).id)}));
@@ -81,7 +82,7 @@ void read_parameter(const Member& member, const Reader& read, Setup& setup) {
   // In quotes, too, a bit is one digit: a row of eight would be all bits of the number.
   const bool row = member.value.kind == Kind::string && member.value.text.size() > 1;
   if (id->bit >= 0 && (row || (value != decimal(0) && value != decimal(1))))
-    read.fail(member.value.at, name + ": a bit is 0 or 1, found " + in_quotes(member.value.text));
+    read.fail(member.value.at, name + ": expected 0 or 1, found " + in_quotes(member.value.text));
   expect_allowed(allows(*id, value, setup.axes), in_quotes(member.value.text));
   setup.parameters[*id] = value;
 }
@@ -94,7 +95,8 @@ void read_alarms(const Node& node, const Reader& read, Setup& setup) {
   for (const Member& member : node.members) {
     const std::optional<AlarmCause> cause = find_alarm(member.name);
     if (!cause)
-      read.fail(member.at, "alarms: " + in_quotes(member.name) + " is no cause (`toolcomp spec alarms` lists them)" +
+      read.fail(member.at, "alarms: " + in_quotes(member.name) +
+                               " is not the cause of an alarm (`toolcomp spec alarms` lists them)" +
                                did_you_mean(member.name, names));
     const std::string& number = read.string(member.value, "alarms." + member.name);
     if (!is_alarm_number(number))
@@ -124,7 +126,7 @@ std::map<std::uint32_t, OffsetEntry> entries_from(const Node& node, const std::s
     const std::optional<std::uint32_t> number = parse_small_number(member.name, count);
     if (!number || *number == 0)
       read.fail(member.at, "offsets." + letter + ": " + in_quotes(member.name) +
-                               " is no offset number; expected 1 to offsets.count = " + std::to_string(count));
+                               " is not an offset number; expected 1 to offsets.count = " + std::to_string(count));
     entries[*number] = entry_from(member.value, "offsets." + letter + "." + member.name, read);
   }
   return entries;
@@ -149,7 +151,7 @@ void read_offsets(const Node& node, const Reader& read, Setup& setup) {
   if (const Node* memory = node.find("memory")) {
     setup.memory = static_cast<OffsetMemory>(read.choice(*memory, "offsets.memory", {"A", "B", "C"}));
     if (setup.memory == OffsetMemory::a && split != nullptr)
-      read.fail(split->value.at, "offsets: memory A has one value an entry; expected a number, or memory B or C");
+      read.fail(split->value.at, "offsets: memory A has one value for each entry; expected a number, or memory B or C");
   } else {
     setup.memory = split != nullptr ? OffsetMemory::c : OffsetMemory::a;
   }
@@ -160,7 +162,7 @@ AxisTable axis_table(const Node& node, const std::string& name, const Setup& set
   AxisTable table;
   for (const Member& member : node.members) {
     if (member.name.size() != 1 || !setup.axes.has(member.name[0]))
-      read.fail(member.at, name + ": " + in_quotes(member.name) + " is no axis of this setup; its axes are " +
+      read.fail(member.at, name + ": " + in_quotes(member.name) + " is not an axis of this setup; its axes are " +
                                setup.axes.letters());
     table[member.name[0]] = read.decimal(member.value, name + "." + member.name);
   }

@@ -15,7 +15,7 @@ constexpr std::string_view kSchemaHead = R"schema({
   "$schema": "https://json-schema.org/draft/2020-12/schema",
   "$id": "setup.schema.json",
   "title": "Setup of a control",
-  "description": "A TOML file or the setup of a case. Decimals are exact: write them as numbers or in quotes, without exponent and with at most 18 digits.",
+  "description": "A TOML file, or the setup of a case. Decimals are exact. Write them as numbers or in quotes, without exponent and with at most 18 digits.",
   "oneOf": [{ "$ref": "#/$defs/fanuc" }, { "$ref": "#/$defs/heidenhain" }],
   "$defs": {
 )schema";
@@ -25,7 +25,7 @@ constexpr std::string_view kSchemaFanucHead = R"schema(    "fanuc": {
       "type": "object",
       "additionalProperties": false,
       "properties": {
-        "control": { "description": "Whose rules apply.", "const": "fanuc", "default": "fanuc" },
+        "control": { "description": "The control whose rules apply.", "const": "fanuc", "default": "fanuc" },
 )schema";
 
 constexpr std::string_view kSchemaAlarmsTail = R"schema(] },
@@ -34,7 +34,7 @@ constexpr std::string_view kSchemaAlarmsTail = R"schema(] },
 )schema";
 
 constexpr std::string_view kSchemaFanucAxes = R"schema(        "axes": {
-          "description": "Controlled axes 1, 2, 3, …: the numbers that parameters such as 19681 mean.",
+          "description": "Controlled axes 1, 2, 3, … in order. Parameters such as 19681 use these numbers.",
           "type": "array", "items": { "enum": ["A", "B", "C", "U", "V", "W", "X", "Y", "Z"] },
           "minItems": 1, "maxItems": 9, "uniqueItems": true, "default": ["X", "Y", "Z"]
         },
@@ -54,7 +54,7 @@ constexpr std::string_view kSchemaFanucTables = R"schema(
           "description": "Tool offset memory.",
           "type": "object", "additionalProperties": false,
           "properties": {
-            "memory": { "description": "A: one value an entry; B: geometry and wear; C: the same, H and D apart. Default: A if all entries are plain numbers, else C.", "enum": ["A", "B", "C"] },
+            "memory": { "description": "A: one value for each entry. B: geometry and wear. C: as B, separate for H and D. Default: A if all entries are plain numbers, else C.", "enum": ["A", "B", "C"] },
             "count": { "description": "Number of entries.", "type": "integer", "minimum": 1, "maximum": 999, "default": 400 },
             "H": { "$ref": "#/$defs/entries" },
             "D": { "$ref": "#/$defs/entries" }
@@ -70,29 +70,29 @@ constexpr std::string_view kSchemaFanucTables = R"schema(
             "G57": { "$ref": "#/$defs/axis_values" }, "G58": { "$ref": "#/$defs/axis_values" }, "G59": { "$ref": "#/$defs/axis_values" }
           }
         },
-        "position": { "description": "Where the program starts: workpiece coordinates without offsets, 0 where not given.", "$ref": "#/$defs/axis_values" },
+        "position": { "description": "Position at which the program starts: workpiece coordinates without offsets. Default: 0.", "$ref": "#/$defs/axis_values" },
         "reference": {
-          "description": "Reference points 1 to 4 (G28, G30) and the floating one (G30.1) in machine coordinates.",
+          "description": "Reference points 1 to 4 (G28, G30) and the floating reference point (G30.1), in machine coordinates.",
           "type": "object", "additionalProperties": false,
           "properties": {
             "1": { "$ref": "#/$defs/axis_values" }, "2": { "$ref": "#/$defs/axis_values" }, "3": { "$ref": "#/$defs/axis_values" },
             "4": { "$ref": "#/$defs/axis_values" }, "floating": { "$ref": "#/$defs/axis_values" }
           }
         },
-        "measurement": { "description": "G37: axis positions where the approach-end signal comes on, in workpiece coordinates without offsets; none: it never comes.", "$ref": "#/$defs/axis_values" }
+        "measurement": { "description": "G37: axis positions at which the approach-end signal comes on, in workpiece coordinates without offsets. Without them the signal never comes.", "$ref": "#/$defs/axis_values" }
       }
     },
     "heidenhain": {
-      "description": "A Heidenhain control; programs are Klartext.",
+      "description": "A Heidenhain control. Its programs are Klartext.",
       "type": "object",
       "additionalProperties": false,
       "required": ["control"],
       "properties": {
-        "control": { "description": "Whose rules apply.", "const": "heidenhain" },
+        "control": { "description": "The control whose rules apply.", "const": "heidenhain" },
 )schema";
 
 constexpr std::string_view kSchemaHeidenhainAxes = R"schema(        "axes": {
-          "description": "Axes that a program may name; X, Y and Z are among them.",
+          "description": "Axes that a program may name. X, Y and Z must be among them.",
           "type": "array", "items": { "enum": ["A", "B", "C", "U", "V", "W", "X", "Y", "Z"] },
           "allOf": [{ "contains": { "const": "X" } }, { "contains": { "const": "Y" } }, { "contains": { "const": "Z" } }],
           "maxItems": 9, "uniqueItems": true, "default": ["X", "Y", "Z", "A", "B", "C"]
@@ -101,15 +101,15 @@ constexpr std::string_view kSchemaHeidenhainAxes = R"schema(        "axes": {
 
 constexpr std::string_view kSchemaHeidenhainTables =
     R"schema(        "alarms": { "$ref": "#/$defs/alarms" },
-        "position": { "description": "Where the program starts: workpiece coordinates, 0 where not given.", "$ref": "#/$defs/axis_values" },
+        "position": { "description": "Position at which the program starts, in workpiece coordinates. Default: 0.", "$ref": "#/$defs/axis_values" },
         "tool": {
-          "description": "Rows of the tool table, mm; numbers and names occur once.",
+          "description": "Rows of the tool table, in mm. Each number and each name occurs once.",
           "type": "array",
           "items": {
             "type": "object", "additionalProperties": false, "required": ["number"],
             "properties": {
               "number": {
-                "description": "1 to 32767, with an index from .1 to .9 where there is one.",
+                "description": "1 to 32767. An index from .1 to .9 may follow.",
                 "oneOf": [
                   { "type": "number", "minimum": 1, "maximum": 32767.9 },
                   { "type": "string", "pattern": "^([1-9][0-9]{0,3}|[12][0-9]{4}|3[01][0-9]{3}|32[0-6][0-9]{2}|327[0-5][0-9]|3276[0-7])(\\.[1-9])?$" }
@@ -118,7 +118,7 @@ constexpr std::string_view kSchemaHeidenhainTables =
               "name": { "$ref": "#/$defs/name" },
               "R": { "description": "Tool radius.", "$ref": "#/$defs/decimal" },
               "R2": { "description": "Corner radius.", "$ref": "#/$defs/decimal" },
-              "L": { "description": "Overall length up to the tip; left out: unknown.", "$ref": "#/$defs/decimal" },
+              "L": { "description": "Overall length up to the tip. Default: unknown.", "$ref": "#/$defs/decimal" },
               "DL": { "$ref": "#/$defs/decimal" }, "DR": { "$ref": "#/$defs/decimal" }, "DR2": { "$ref": "#/$defs/decimal" },
               "DR2TABLE": { "description": "The name of a dr2table.", "$ref": "#/$defs/name" }
             }
@@ -129,7 +129,7 @@ constexpr std::string_view kSchemaHeidenhainTables =
           "type": "object", "additionalProperties": false,
           "properties": {
             "tcs": {
-              "description": "Rows of the table in the tool system (.tco), mm; numbers occur once.",
+              "description": "Rows of the compensation table in the tool system (.tco), in mm. Each number occurs once.",
               "type": "array",
               "items": {
                 "type": "object", "additionalProperties": false, "required": ["number"],
@@ -142,7 +142,7 @@ constexpr std::string_view kSchemaHeidenhainTables =
           }
         },
         "dr2table": {
-          "description": "Deviations of the corner radius by the angle of the contact (3D-ToolComp); names occur once.",
+          "description": "Deviations of the corner radius for each contact angle (3D-ToolComp). Each name occurs once.",
           "type": "array",
           "items": {
             "type": "object", "additionalProperties": false, "required": ["name", "points"],
@@ -169,11 +169,11 @@ constexpr std::string_view kSchemaHeidenhainTables =
       ]
     },
     "whole": {
-      "description": "A number without decimals; in quotes at most seven digits, for eight would be a row of bits.",
+      "description": "A number without decimals. In quotes it has at most seven digits, because eight digits would be a row of bits.",
       "oneOf": [{ "type": "integer" }, { "type": "string", "pattern": "^[+-]?[0-9]{1,7}(\\.0*)?$" }]
     },
     "entries": {
-      "description": "By offset number, in the units of the setup.",
+      "description": "Entries by offset number, in the units of the setup.",
       "type": "object", "additionalProperties": false,
       "patternProperties": {
         "^[1-9][0-9]{0,2}$": {
@@ -188,7 +188,7 @@ constexpr std::string_view kSchemaHeidenhainTables =
       }
     },
     "axis_values": {
-      "description": "By axis letter: the units of the setup, degrees for A, B and C.",
+      "description": "Values by axis letter, in the units of the setup; degrees for A, B and C.",
       "type": "object", "additionalProperties": false,
       "patternProperties": { "^[ABCUVWXYZ]$": { "$ref": "#/$defs/decimal" } }
     }
@@ -264,7 +264,7 @@ std::string parameter_properties() {
   for (const ParameterInfo& p : parameters()) {
     if (p.id.bit >= 0 && p.id.number != last)
       add({p.id.number, -1},
-          R"({ "description": "Its bits as one number.", "$ref": "#/$defs/whole", "minimum": 0, "maximum": )" +
+          R"({ "description": "All bits of this number, as one number.", "$ref": "#/$defs/whole", "minimum": 0, "maximum": )" +
               std::to_string(free_bits(p.id.number)));
     last = p.id.number;
     std::string schema = description(p);
@@ -280,7 +280,7 @@ std::string parameter_properties() {
 
 std::string alarms_definition() {
   std::string text = R"(    "alarms": {
-      "description": "Numbers or names that this control shows, by cause, where they are others than those of its series.",
+      "description": "Alarm numbers or names that this control shows, by cause, if they differ from those of its series.",
       "type": "object", "propertyNames": { "enum": [)";
   for (const AlarmInfo& alarm : alarms()) {
     if (alarm.cause != alarms().front().cause) text += ", ";

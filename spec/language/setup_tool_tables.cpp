@@ -116,7 +116,7 @@ DeviationTable deviations_from(const Node& node, const Reader& read) {
       read.fail(item.at,
                 "dr2table.points: expected an angle from 0 to 180 degrees, found " + in_quotes(item.items[0].text));
     if (!table.empty() && compare(angle, table.back().first) <= 0)
-      read.fail(item.at, "dr2table.points: the angles do not ascend at " + in_quotes(item.items[0].text));
+      read.fail(item.at, "dr2table.points: the angles must ascend; they do not at " + in_quotes(item.items[0].text));
     table.emplace_back(angle, read.decimal(item.items[1], "dr2table.points"));
   }
   return table;

@@ -7,7 +7,7 @@
 
 namespace toolcomp::spec {
 
-// "a|b" at '|': a, b. Nothing in nothing, and nothing behind a separator at the end.
+// Splits "a|b" at '|' into a and b. An empty text has no items, and there is no item after a separator at the end.
 std::vector<std::string_view> split(std::string_view list, char separator);
 
 }  // namespace toolcomp::spec

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What somebody may have meant who wrote a name that is not known.
+// Suggestions for a name that is not known.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +10,12 @@
 
 namespace toolcomp::spec {
 
-// The known names nearest to a word, three at most, in their order: those with the fewest slips of the hand
-// (edit_distance(); case, and - for _, count as none), where these are fewer than about a third of the word; or those
-// that begin with the word. None where nothing is near.
+// The known names nearest to a word, at most three, in their order: the names with the smallest edit_distance() (case,
+// and - for _, do not count), if that is less than about a third of the length of the word; or the names that begin
+// with the word. Empty if no name is near.
 std::vector<std::string_view> nearest_names(std::string_view word, const std::vector<std::string_view>& known);
 
-// The same as the end of a message: "; did you mean a, b or c?", or nothing.
+// The same as the end of a message: "; did you mean a, b or c?", or an empty text.
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& known);
 
 template <std::ranges::input_range Names>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text in one long buffer, for a program of many events.
+// Collects text in one long buffer, for programs with many events.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace toolcomp::spec {
 
-// What was written and not yet passed on.
+// The text that was written and not yet passed on.
 class TextBuffer {
  public:
   [[nodiscard]] std::string_view view() const { return {bytes_.data(), size_}; }
@@ -21,14 +21,14 @@ class TextBuffer {
   std::size_t size_ = 0;
 };
 
-// The end of a buffer while one event is written there. It takes text as std::string does, but makes room for all of
-// it before the first character, so that nothing is tested or moved on the way. Where the functions that write the
-// event are inlined (gnu::flatten), the place stays in a register.
+// The end of a buffer while one event is written there. It takes text as std::string does, but makes room for a whole
+// event before its first character, so that it need not test or move anything in between. If the functions that write
+// the event are inlined (gnu::flatten), the place stays in a register.
 class TextCursor {
  public:
-  // For what += and write() write. An event has at most 72 numbers (five maps of nine axes, the tool axis, sweep, two
-  // radii, feed, value, six vectors, an angle), none of more than 60 characters with its key, and fewer than 900
-  // characters besides.
+  // Room for what += and write() write. An event has at most 72 numbers (five maps of nine axes, the tool axis, sweep,
+  // two radii, feed, value, six vectors, an angle), none with more than 60 characters including its key, and fewer than
+  // 900 other characters.
   static constexpr std::size_t kRoom = 6144;
 
   explicit TextCursor(TextBuffer& buffer) : buffer_(buffer), at_(room_behind(buffer.size_)) {}
@@ -50,7 +50,7 @@ class TextCursor {
   void write(const WriteAt& write_at) {
     at_ = write_at(at_);
   }
-  // Text of any length: the room behind it is made anew.
+  // Appends text of any length, and makes room again after it.
   void append(std::string_view text) {
     const std::size_t before = size();
     at_ = room_behind(before + text.size()) - text.size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which outcomes of which clauses a set of runs exercised.
+// The outcomes of clauses that a set of runs exercised.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ struct ClauseOutcome {
 // does not call unreachable. `counts` is indexed by Clause.
 std::vector<ClauseOutcome> required_outcomes(std::span<const OutcomeCounts> counts);
 
-// Those of them that were never reached.
+// The required outcomes that were never reached.
 std::vector<ClauseOutcome> missing_outcomes(std::span<const OutcomeCounts> counts);
 
 }  // namespace toolcomp::spec

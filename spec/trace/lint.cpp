@@ -87,7 +87,7 @@ class Linter {
  private:
   void read() {
     std::vector<fs::path> files;
-    if (!fs::is_directory(folder_)) throw InputError(folder_.string(), 0, 0, "no folder of clause files");
+    if (!fs::is_directory(folder_)) throw InputError(folder_.string(), 0, 0, "is not a folder of clause files");
     for (const auto& entry : fs::recursive_directory_iterator(folder_))
       if (entry.path().extension() == ".toml") files.push_back(entry.path());
     std::ranges::sort(files);
@@ -125,50 +125,50 @@ class Linter {
     const std::string kind = text(table, "kind");
     const bool testable = table["testable"].value_or(true);
     require(entry, one_of(kind, {"normative", "parameter", "alarm", "open", "note"}), "unknown kind");
-    require(entry, text(table, "text").ends_with('.'), "the text is not made of whole sentences");
+    require(entry, text(table, "text").ends_with('.'), "the text must end with a full stop");
     require(entry, kind != "open" || !testable || !list(table, "alternatives").empty(),
-            "an open clause lists alternatives");
+            "an open clause must list its alternatives");
     require(entry, testable || !text(table, "reason").empty(), "testable = false needs a reason");
-    require(entry, !testable || text(table, "reason").empty(), "a reason without testable = false");
+    require(entry, !testable || text(table, "reason").empty(), "a reason is given without testable = false");
     for (const std::string& parameter : list(table, "parameters"))
-      require(entry, is_parameter(parameter), fmt::format("{} is no parameter number", parameter));
+      require(entry, is_parameter(parameter), fmt::format("{} is not a parameter number", parameter));
     check_replacement(entry);
   }
 
   void check_id(const Entry& entry) {
     const auto parts = split(entry.id, ".");
     require(entry, parts.size() >= 3 && std::ranges::all_of(parts, is_slug),
-            "an id is three slugs or more, joined by points");
+            "an id must be three or more slugs, joined by points");
     require(entry, parts[0] == entry.file.parent_path().filename().string(),
-            "an id begins with the name of its folder");
+            "an id must begin with the name of its folder");
     if (text(*entry.table, "outcomes") == "sign")
-      require(entry, entry.id.size() <= Name::kCapacity, "too long for an `undecided` event");
+      require(entry, entry.id.size() <= Name::kCapacity, "the id is too long for an `undecided` event");
     const auto words = split(entry.id, ".-");
     const toml::table* source = (*entry.table)["source"].as_table();
     const std::string page = source != nullptr ? text(*source, "page") : std::string();
     require(entry,
             std::ranges::none_of(
                 words, [&](std::string_view word) { return word == "page" || (word == page && !page.empty()); }),
-            "an id names no page");
+            "an id must not name a page");
   }
 
   void check_source(const Entry& entry) {
     const toml::table* source = (*entry.table)["source"].as_table();
     if (source == nullptr) {
-      breach(entry, "a source is missing");
+      breach(entry, "the source is missing");
       return;
     }
     const std::string known = text(*source, "known");
     require(entry, find_known(known).has_value(),
-            "the source says how well the clause is known: manual, sister, recollection or ours");
+            "the source must say how well the clause is known: manual, sister, recollection or ours");
     if (one_of(known, {"manual", "sister"}))
       require(entry, !text(*source, "document").empty() && !text(*source, "page").empty(),
-              "a manual is named with document and page");
+              "a manual must be named with document and page");
     if (known == "ours") {
       require(entry, text(*source, "document").empty() && text(*source, "page").empty(),
-              "a definition of ours has no document");
+              "a definition of ours must not name a document or page");
       require(entry, text(*entry.table, "kind") != "normative" || text(*source, "words").starts_with("geometry"),
-              "a definition of ours is not normative, but for geometry");
+              "a definition of ours must not be normative, unless it is geometry");
     }
   }
 
@@ -187,7 +187,7 @@ class Linter {
     for (const std::string& name : unreachable)
       require(entry, std::ranges::find(names, name) != names.end(), fmt::format("{} is no outcome", name));
     require(entry, unreachable.empty() == text(table, "unreachable_reason").empty(),
-            "unreachable outcomes and their reason belong together");
+            "unreachable outcomes need a reason, and a reason needs unreachable outcomes");
   }
 
   void check_replacement(const Entry& entry) {
@@ -199,7 +199,7 @@ class Linter {
         breach(entry, fmt::format("replaced by {}, which does not exist", id));
       else
         require(entry, text(*found->second, "replaced_by").empty(),
-                fmt::format("replaced by {}, which is replaced itself", id));
+                fmt::format("replaced by {}, which is itself replaced", id));
     }
   }
 
@@ -209,7 +209,7 @@ class Linter {
     std::string id;
     for (std::uint64_t line = 1; std::getline(in, id); ++line)
       if (!id.empty() && !by_id_.contains(id))
-        breaches_.push_back(fmt::format("{}:{}:1: {}: was published and is gone; keep it with replaced_by",
+        breaches_.push_back(fmt::format("{}:{}:1: {}: was published and is missing; keep it with replaced_by",
                                         published_.string(), line, id));
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules that clause files must keep beyond what the generator needs.
+// Rules for clause files, in addition to what the generator needs.
 #pragma once
 
 #include <filesystem>
@@ -12,9 +12,8 @@ namespace toolcomp::spec {
 //   ids       slugs of three parts or more that begin with the name of their folder, unique, without the page of their
 //             source, short enough for events where a decision by sign can be undecided;
 //   kinds     normative, parameter, alarm, open, note; outcomes sign, fact, reach;
-//   source    present, says how well the clause is known, with document and page where that is by a manual; what is
-//   ours is
-//             normative only where it follows by geometry;
+//   source    present, says how well the clause is known, with document and page if it is known from a manual; a
+//             definition of ours is normative only if it follows by geometry;
 //   texts     a text of whole sentences; an outcome text for every outcome of a decision and for no other;
 //   open      a clause that can be tested lists alternatives;
 //   testable  false has a reason; unreachable outcomes exist and have a reason;

@@ -249,7 +249,7 @@ std::string list_sections(ReportFormat format) {
     out += '\n';
   }
   const KnownCounts sum = sum_of(known);
-  return out + fmt::format("\n{}\nof {} clauses {}\n", known_table(known), sum.total(), sum.words());
+  return out + fmt::format("\n{}\nof {} clauses, {}\n", known_table(known), sum.total(), sum.words());
 }
 
 std::string show_trace(std::span<const ClauseTrace> table, ReportFormat format) {
@@ -326,8 +326,8 @@ std::string show_coverage(std::span<const OutcomeCounts> counts, std::uint64_t r
                        outcome.text.empty() ? "" : " ", outcome.text);
   }
   const KnownCounts known = sum_of(exercised);
-  out += fmt::format("\n{}\nof {} clauses exercised {}\n", known_table(exercised), known.total(), known.words());
-  if (!proofs.empty()) out += "\nvectors of which Coq proves every number (./dev proofs)\n";
+  out += fmt::format("\n{}\nof {} clauses exercised, {}\n", known_table(exercised), known.total(), known.words());
+  if (!proofs.empty()) out += "\ngolden vectors of which Coq proves every number (./dev proofs)\n";
   for (const ProofCount& proof : proofs)
     out += fmt::format("{:>4} of {:>4}  {}\n", proof.proven, proof.vectors, proof.section);
   return out;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `toolcomp spec` prints: every function returns the whole text, ending with a line feed.
+// The output of `toolcomp spec`. Every function returns the whole text, which ends with a line feed.
 #pragma once
 
 #include <cstdint>
@@ -15,24 +15,25 @@ namespace toolcomp::spec {
 
 enum class ReportFormat : std::uint8_t { text, json };  // JSON: one document
 
-// Every clause: id, kind, how well it is known, and text; JSON: everything the clause files say.
+// Every clause: id, kind, how well it is known, and text. JSON: everything in the clause files.
 std::string list_clauses(ReportFormat format);
 
 // One clause in full. Throws InputError for an id that does not exist; the message names the nearest ones.
 std::string show_clause(std::string_view id, ReportFormat format);
 
-// The sections, how many clauses of which kind each has, and how well these are known.
+// The sections, with their numbers of clauses by kind, and how well the clauses are known.
 std::string list_sections(ReportFormat format);
 
-// The registry of keys, that of parameters, and the alarms by cause, as tables in Markdown.
+// The registry of keys, the registry of parameters, and the alarms by cause, as tables in Markdown.
 std::string list_keys(ReportFormat format);
 std::string list_parameters(ReportFormat format);
 std::string list_alarms(ReportFormat format);
 
-// The trace table (indexed by Clause): what marks, tests, proves and exercises each clause.
+// The trace table (indexed by Clause): the code that marks each clause, the tests that name it, the theorems that prove
+// it, the vectors that exercise it.
 std::string show_trace(std::span<const ClauseTrace> table, ReportFormat format);
 
-// How many vectors of a section there are, and of how many Coq proves every number.
+// The number of golden vectors of a section, and the number of those of which Coq proves every number.
 struct ProofCount {
   std::string section;
   std::size_t vectors = 0;

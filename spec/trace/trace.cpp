@@ -68,7 +68,7 @@ class Tracer {
 
   std::vector<ClauseTrace> run() {
     if (!fs::is_directory(source_ / "spec" / "clauses"))
-      throw InputError(source_.string(), 0, 0, "no source tree of toolcomp; name one with --dir");
+      throw InputError(source_.string(), 0, 0, "is not a source tree of toolcomp; name one with --dir");
     mentions("model", &ClauseTrace::model);
     mentions("tests", &ClauseTrace::tests);
     theorems();

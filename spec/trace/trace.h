@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where each clause is found: in the model that obeys it, the tests, the theorems, the golden vectors.
+// The places that name each clause: the model, which applies it, the tests, the theorems, the golden vectors.
 #pragma once
 
 #include <cstddef>
@@ -26,14 +26,15 @@ struct ClauseTrace {
   std::vector<std::string> vectors;   // ids of golden vectors that state it or whose expected events rest on it
 };
 
-// The source tree the tool was built from.
+// The source tree from which toolcomp was built.
 std::filesystem::path default_source();
 
-// The trace of every clause, indexed by Clause. Throws InputError if `source` is no source tree (has no spec/clauses),
-// or if a golden vector is no case.
+// The trace of every clause, indexed by Clause. Throws InputError if `source` is not a source tree (has no
+// spec/clauses), or if a golden vector is not a case.
 std::vector<ClauseTrace> trace(const std::filesystem::path& source = default_source());
 
-// Must some decision of the model mark it? Not notes, not what is testable = false, not what is replaced.
+// Whether the model must mark the clause. It need not for notes, for clauses with testable = false, and for replaced
+// clauses.
 bool needs_mark(const ClauseInfo& clause);
 
 }  // namespace toolcomp::spec

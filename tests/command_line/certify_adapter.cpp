@@ -69,7 +69,7 @@ TEST_F(TraceAdapter, TheReportSaysWhatItLooksLike) {
   adapter("printf 'X,Y,Z\\n0,0,0\\n0,10,0\\n0,20,0\\n' >trace.csv");
   const Outcome outcome = certify();
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_NE(outcome.out.find("looks like, in 1 of the programs that differ: axes X and Y are exchanged"),
+  EXPECT_NE(outcome.out.find("likely cause, in 1 of the programs that differ: axes X and Y are exchanged"),
             std::string::npos)
       << outcome.out;
   EXPECT_EQ(run().at("cause"), "axes X and Y are exchanged");
@@ -97,7 +97,7 @@ TEST_F(TraceAdapter, AnAlarmIsOneForBothOrAFinding) {
 TEST_F(TraceAdapter, ToRunOnWhereTheModelRefusesIsAFinding) {
   adapter("printf '" + kGood + "' >trace.csv");
   EXPECT_EQ(certify("", kProgram + "G02 X30.\n").status, 1);
-  EXPECT_EQ(run().at("why"), "ran where the model gives PS0022 in line 3");
+  EXPECT_EQ(run().at("why"), "ran on where the model gives PS0022 in line 3");
 }
 
 TEST_F(TraceAdapter, WhatItDoesNotHaveIsNoFailure) {

@@ -108,7 +108,7 @@ TEST(Report, IsThatOfOneRunAtATime) {
                                   "/running.json ]; do sleep 0.1; done; " + certify + "'" + kFaulty +
                                   "none'; status=$?; touch " + over + "; wait; exit $status)");
   EXPECT_EQ(outcome.status, 2) << outcome.out;
-  EXPECT_NE(outcome.err.find("is at work there"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("is still working in this folder"), std::string::npos) << outcome.err;
 }
 
 // A controller is found again from another folder.

@@ -132,7 +132,7 @@ TEST(HostileJson, DeepOrLargeIsRefused) {
                                    R"({"finding": 1, "capabilities": {"a": 1e999999}, "case": {"case": 1, "id": "a",
                  "section": "fanuc/tool-offset", "dialect": "fanuc", "setup": {"control": "fanuc"}, "program": ""}})"),
           kMemory),
-      "number.json:1:38: \"1e999999\" is beyond what a double holds", "number");
+      "number.json:1:38: \"1e999999\" is outside the range of a double", "number");
   std::string many = "[{}";
   for (int i = 0; i < 6'000'000; ++i) many += ",{}";
   many += "]";
@@ -384,12 +384,12 @@ TEST(HostileFiles, WhatIsNoPlainFile) {
   ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
   const std::string setup = folder.write("setup.toml", "control = \"fanuc\"\naxes = [\"X\"]\n");
   const std::string program = folder.write("p.nc", "G01 X1 F1\n");
-  expect_refused(toolcomp("run " + fifo), "no plain file", "a FIFO as program");
-  expect_refused(toolcomp("run " + program + " --setup /dev/zero"), "no plain file", "/dev/zero as setup");
-  expect_refused(toolcomp("config check /dev/zero"), "no plain file", "/dev/zero");
+  expect_refused(toolcomp("run " + fifo), "not a regular file", "a FIFO as program");
+  expect_refused(toolcomp("run " + program + " --setup /dev/zero"), "not a regular file", "/dev/zero as setup");
+  expect_refused(toolcomp("config check /dev/zero"), "not a regular file", "/dev/zero");
   expect_refused(toolcomp("certify --trace " + fifo + " --tolerance 1 " + program + " --report " + folder.path("r")),
-                 "no plain file", "a FIFO as recording");
-  expect_refused(toolcomp("view " + program + " --out " + fifo), "no plain file", "--out onto a FIFO");
+                 "not a regular file", "a FIFO as recording");
+  expect_refused(toolcomp("view " + program + " --out " + fifo), "not a regular file", "--out onto a FIFO");
   EXPECT_TRUE(fs::is_fifo(fifo)) << "it is still there";
   // A pipe that a shell opened is read.
   EXPECT_EQ(toolcomp("run /dev/stdin --setup " + setup, "echo G01 X1 F1 | ").status, 0);
@@ -406,7 +406,8 @@ TEST(HostileFiles, NothingOutsideTheFolderIsCalled) {
   const std::string outside = folder.write("outside.nc", "G01 X5 F1\nM99\n");
   static_cast<void>(folder.write("in/setup.toml", "control = \"fanuc\"\naxes = [\"X\"]\n"));
   fs::create_symlink(outside, folder.path("in/O0007.nc"));
-  expect_refused(toolcomp("run " + folder.write("in/p.nc", "M98 P7\nM30\n")), "a link out of the folder", "M98");
+  expect_refused(toolcomp("run " + folder.write("in/p.nc", "M98 P7\nM30\n")), "a link to a place outside the folder",
+                 "M98");
 }
 
 TEST(HostileFiles, AKitOpensItsOwnFilesAlone) {
@@ -496,7 +497,7 @@ for line in sys.stdin:
                                      "' --timeout 5 --report " + folder.path("report") + " " + kPlate);
     EXPECT_EQ(outcome.status, 1) << how << outcome.err;
     EXPECT_LE(read(asked).size(), 5U) << how << outcome.out;
-    const bool said = outcome.out.find("it does not answer") != std::string::npos;
+    const bool said = outcome.out.find("the controller does not answer") != std::string::npos;
     EXPECT_EQ(said, how == "hang" || how == "drip") << how << outcome.out;
   }
 }

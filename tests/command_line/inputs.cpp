@@ -199,10 +199,10 @@ TEST(Outputs, NeedAPlace) {
     EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
     EXPECT_EQ(outcome.out, "");
   };
-  refused("certify --controller cat --report " + file, "--report: " + file + " is no folder");
+  refused("certify --controller cat --report " + file, "--report: " + file + " is not a folder");
   refused("fuzz --section heidenhain/face-milling --runs 1 --findings " + file + "/a/b",
-          "--findings: " + file + " is no folder");
-  refused("corpus flank --out " + file + "/a.nc", "--out: " + file + " is no folder");
+          "--findings: " + file + " is not a folder");
+  refused("corpus flank --out " + file + "/a.nc", "--out: " + file + " is not a folder");
   refused("corpus flank --out " + folder.path(""), "is a folder");
 }
 
@@ -212,7 +212,7 @@ TEST(Outputs, AFileOfCasesHoldsOne) {
   const Outcome outcome =
       toolcomp("certify --controller cat " + folder.write("none.jsonl", "\n") + " --report " + folder.path("report"));
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_NE(outcome.err.find("none.jsonl:1:1: holds no case"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("none.jsonl:1:1: contains no case"), std::string::npos) << outcome.err;
 }
 
 }  // namespace

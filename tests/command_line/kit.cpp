@@ -248,7 +248,7 @@ TEST_F(Kit, ForAControlThatAnAdapterDescribes) {
   EXPECT_GT(generated, 0U);
   std::string why;
   for (const json& missing : kit["missing"]) why += missing["why"].get<std::string>();
-  EXPECT_NE(why.find("fake has not: no G42"), std::string::npos);
+  EXPECT_NE(why.find("fake does not have: no G42"), std::string::npos);
   EXPECT_NE(why.find("fake is known to differ: negative"), std::string::npos);
 
   write("run.sh", "echo broken >&2; exit 7\n");
@@ -396,15 +396,16 @@ TEST_F(Recorded, BadInputIsNamedWithItsPlace) {
     EXPECT_NE(outcome.err.find(what), std::string::npos) << outcome.err;
   };
   refused(judged("", " --alarms " + folder.write("a.csv", "program,alarm,block,note\nO8501,41,N5,\nO7,1,,\n")),
-          "a.csv:3:1: \"O7\" is no program of this kit that ends in an alarm\n");
+          "a.csv:3:1: \"O7\" is not a program of this kit that ends in an alarm\n");
   refused(judged("", " --alarms " + folder.write("b.csv", "program,alarm\n")),
           "b.csv:1:1: the first line must be program,alarm,block,note\n");
   refused(judged(folder.write("r.csv", "time,X,Y,Z\n0,1,2\n")), "r.csv:2:6: fewer values than columns\n");
   refused(judged(folder.write("s.csv", "X,Y,Z\n0,1,2\n")), "s.csv:1:1: no time column");
-  refused(toolcomp("kit judge " + folder.path("kit") + " --tolerance 0.06"), "by no more than 0.05");
+  refused(toolcomp("kit judge " + folder.path("kit") + " --tolerance 0.06"),
+          "must be at most the tolerance of the kit, 0.05");
   const std::string program = folder.path("kit/" + programs.front()["file"].get<std::string>());
   std::ofstream(program, std::ios::app) << "(changed)\n";
-  refused(judged(""), programs.front()["file"].get<std::string>() + ": is not what kit.json says");
+  refused(judged(""), programs.front()["file"].get<std::string>() + ": differs from kit.json");
   std::ignore = folder.write("kit/kit.json", "{\"kit\": 1,\n \"tool\": 2}\n");
   refused(judged(""), "kit.json:2:10: ");
 }
@@ -416,7 +417,7 @@ TEST_F(Kit, BadInputToMakeIsNamedWithItsPlace) {
   };
   refused(make("control = \"fanuc\"\naxes = [\"X\", \"Q\"]\n", kTravels), "machine.toml:2:14: axes");
   refused(make(kMachine, " --travel X=-300,300 --travel Y=-250,250"), "axis Z has no travel");
-  refused(make(kMachine, kTravels + " --travel X=-1,1"), "\"X=-1,1\": the axis was given before");
+  refused(make(kMachine, kTravels + " --travel X=-1,1"), "\"X=-1,1\": the axis is given twice");
   refused(make(kMachine, " --travel X=3"), "--travel: \"X=3\": a travel is AXIS=LEAST,GREATEST");
   refused(make(kMachine, " --travel X=-1,5 --travel Y=-250,250 --travel Z=-9,9"), "the place of the marks");
   refused(make(kMachine, kTravels + " --section fanuc/nothing"), "no section \"fanuc/nothing\"");

@@ -55,11 +55,10 @@ TEST_P(Run, TellsRadiiThatDifferWhereTheSetupHasNoLimit) {
                                            "G03 X0 Y21 J-10 D2\nG01 X-10\n");
   const std::string start = "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\"]\n[offsets.D]\n1 = 1\n2 = 2\n";
   const std::string run = "run " + program + " --engine " + GetParam() + " --setup ";
-  EXPECT_EQ(
-      toolcomp(run + folder.write("without.toml", start)).err,
-      program +
-          ":1: note: the radii of this arc and of 1 more differ by up to 2; the setup has no parameter 3410, with "
-          "which a control raises PS0020\n");
+  EXPECT_EQ(toolcomp(run + folder.write("without.toml", start)).err,
+            program +
+                ":1: note: the start radius and the end radius of this arc and of 1 more differ by up to 2; the setup "
+                "has no parameter 3410, the limit above which a control raises PS0020\n");
   const std::string with = folder.write("with.toml", start + "[parameters]\n3410 = 2\n");
   EXPECT_EQ(toolcomp(run + with).err, "");
   EXPECT_EQ(toolcomp(run + folder.write("quiet.toml", start) + " --quiet").err, "");
@@ -120,9 +119,9 @@ TEST_P(Run, NotesTellWhatAReaderShouldKnow) {
       {"G90 G01 X10. F100\nG42 H5 Y10.\n", "2: note: G42 with H: the radius is that of D"},
       {"G90 G00 X10.\nG10 L10 P1\n", "2: note: G10 without R"},
       {"G91 G00 X10.\nG53 X0\n", "2: note: G53 under G91"},
-      {"G90 G00 X10.\nG01 Y5.\n", "2: note: no F yet: the feed is 200 of parameter 1411"},
+      {"G90 G00 X10.\nG01 Y5.\n", "2: note: no F yet: the feed is 200, from parameter 1411"},
       {"G90 G01 X10. F100\nG41 D1 Y2.\nY20.\nX30.\nG40 X40.\n",
-       "2: note: a start-up move of 2, shorter than the radius 5"},
+       "2: note: the start-up move of 2 is shorter than the radius 5"},
       // A groove 4 wide and a tool 10 wide: 4 - 10 along its bottom. An arc of radius 3 inside.
       {"G90 G00 X-20.\nG01 G41 D1 X0. F100\nY-20.\nX4.\nY0.\nX20.\nG40 X40.\n", "4: note: the paths cross by 6"},
       {"G90 G00 X-20.\nG01 G41 D1 X0. F100\nG03 Y6. J3.\nG01 X-20.\nG40 X-40.\n", "3: note: the paths cross by 2"},

@@ -39,9 +39,9 @@ TEST(SpoiledPrograms, Fanuc) {
       {"G01 XO Y5.", "2:5", {"PS0005", "\"XO\"", "the letter O; the digit 0 may be meant"}},
       {"G01 X1O. Y5.", "2:8", {"PS0007", "\"X1O.\"", "the letter O; the digit 0 may be meant"}},
       {"GO1 X5.", "2:1", {"PS0005", "\"GO1\"", "the letter O; the digit 0 may be meant"}},
-      {"G01 X10,5", "2:8", {"PS0004", "\"X10,5\"", "a comma; numbers have a point"}},
+      {"G01 X10,5", "2:8", {"PS0004", "\"X10,5\"", "a comma; a number has a decimal point"}},
       {"G01 X Y5.", "2:5", {"PS0005", "\"X\""}},
-      {"G01 X5. ; contour begins", "2:11", {"PS0009", "\"contour\"", "; ends a block; a comment stands in ( )"}},
+      {"G01 X5. ; contour begins", "2:11", {"PS0009", "\"contour\"", "; ends a block; a comment is written in ( )"}},
       {"G01 X5. ; set up", "2:11", {"PS0005", "; ends a block"}},
       {"G01 X5.)", "2:8", {"PS0004", "a ) without a ("}},
       {"G01 X1.5.", "2:9", {"PS0007", "\"X1.5.\""}},
@@ -55,7 +55,7 @@ TEST(SpoiledPrograms, Fanuc) {
       {"G01 X5]", "2:7", {"PS0004", "\"X5]\""}},
       {"G01 X=5.", "2:5", {"PS0005", "\"X=5.\""}},
       {"G01 X5. Z", "2:9", {"PS0005", "\"Z\""}},
-      {"M6 (A (NESTED) COMMENT)", "2:16", {"PS0009", "\"COMMENT)\"", "no comments in comments"}},
+      {"M6 (A (NESTED) COMMENT)", "2:16", {"PS0009", "\"COMMENT)\"", "comments cannot be nested"}},
       {"G77.7 X5.", "2:1", {"PS0010 there is no such G code"}},
   };
   for (const Spoiled& row : rows) expect_told(folder, "p.nc", "G90 G17 G40 F100", row);
@@ -81,8 +81,8 @@ TEST(SpoiledPrograms, Klartext) {
   const Spoiled rows[] = {
       {"L X+1O Y+5", "2:3", {"E_SYNTAX", "\"X+1O\"", "the letter O; the digit 0 may be meant"}},
       {"L X+O Y+5", "2:3", {"E_SYNTAX", "\"X+O\"", "the letter O; the digit 0 may be meant"}},
-      {"L X+5Y+6 R0", "2:3", {"E_SYNTAX", "\"X+5Y+6\"", "words stand between blanks"}},
-      {"G01 X+5", "2:1", {"E_SYNTAX", "\"G01\"", "a G code, in a Klartext program"}},
+      {"L X+5Y+6 R0", "2:3", {"E_SYNTAX", "\"X+5Y+6\"", "words must be separated by blanks"}},
+      {"G01 X+5", "2:1", {"E_SYNTAX", "\"G01\"", "a G code in a Klartext program"}},
       {"L X+1.2.3", "2:3", {"E_SYNTAX", "\"X+1.2.3\"", "a second decimal point"}},
       {"L X Y+5", "2:3", {"E_SYNTAX", "\"X\""}},
       {"L X+5 (contour)", "2:7", {"E_SYNTAX", "\"(contour)\"", "a comment begins with ;"}},

@@ -179,7 +179,7 @@ TEST_F(Trace, AReportNeedsAFolder) {
   const Outcome outcome = toolcomp("certify --trace " + csv + " --tolerance 0.001 " + folder.write("p.h", kFace) +
                                    " --setup " + folder.write("setup.toml", kBall) + " --report " + csv + "/here");
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_NE(outcome.err.find("good.csv is no folder"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("good.csv is not a folder"), std::string::npos) << outcome.err;
   EXPECT_EQ(outcome.out, "");
 }
 

@@ -136,7 +136,7 @@ TEST_F(Verify, AChangedByteOfTheFileIsRefused) {
     EXPECT_TRUE(outcome.status == 1 || outcome.status == 2) << at << outcome.out << outcome.err;
     EXPECT_FALSE(has(outcome.out, "accepted"));
   }
-  expect_refused(bundle->folder.write("other.tar.zst", bytes.substr(0, bytes.size() / 2)), "changed or cut off");
+  expect_refused(bundle->folder.write("other.tar.zst", bytes.substr(0, bytes.size() / 2)), "changed or truncated");
 }
 
 TEST_F(Verify, AChangedByteOfAnyMemberIsRefused) {
@@ -190,7 +190,7 @@ TEST_F(Verify, ACaseAddedIsRefused) {
     cases.put_into(members);
     adapt_manifest(members);
   });
-  expect_refused(bundle->other, id + ": is there twice");
+  expect_refused(bundle->other, id + ": occurs twice");
   bundle->change([](Members& members) {
     Cases cases(members);
     cases.repeat(3);
@@ -239,7 +239,8 @@ TEST_F(Verify, AnEditedAnswerIsRefused) {
     adapt_manifest(members);
   });
   ASSERT_FALSE(id.empty());
-  expect_refused(bundle->other + " --all", id + ": recorded and judged again: result: \"agrees\" and \"differs\"");
+  expect_refused(bundle->other + " --all",
+                 id + ": the recorded result and the result judged again differ: result: \"agrees\" and \"differs\"");
 }
 
 // Sums that the cases do not have, and a verdict that the sums do not have.
@@ -277,7 +278,7 @@ TEST_F(Verify, AnotherVersionsCorpusIsRefused) {
   Json manifest = Json::parse(read(corpus + "/manifest.json"));
   manifest["version"] = "0.9.0";
   static_cast<void>(bundle->folder.write("corpus/manifest.json", manifest.dump(2) + "\n"));
-  expect_refused(bundle->file + " --corpus " + corpus, "and here is 0.9.0");
+  expect_refused(bundle->file + " --corpus " + corpus, "and this corpus is 0.9.0");
   // And made with that one.
   const Bundle old;
   ASSERT_EQ(old.certify(kServe, "--corpus " + corpus).status, 0);
@@ -452,7 +453,7 @@ TEST(Evidence, IsSigned) {
   const Folder stranger;
   const Outcome unknown = toolcomp("verify " + bundle.file, "export GNUPGHOME=" + stranger.path("") + ";");
   EXPECT_EQ(unknown.status, 1) << unknown.out;
-  EXPECT_TRUE(has(unknown.out, "no public key")) << unknown.out;
+  EXPECT_TRUE(has(unknown.out, "the public key")) << unknown.out;
   // Another bundle under its signature.
   bundle.change([](Members& members) {
     members["junit.xml"] += "\n";
@@ -461,7 +462,7 @@ TEST(Evidence, IsSigned) {
   fs::copy_file(bundle.file + ".asc", bundle.other + ".asc");
   const Outcome bad = toolcomp("verify " + bundle.other, gnupg);
   EXPECT_EQ(bad.status, 1) << bad.out;
-  EXPECT_TRUE(has(bad.out, "it is not that of this file")) << bad.out;
+  EXPECT_TRUE(has(bad.out, "it does not belong to this file")) << bad.out;
   // A new bundle does not keep the signature of the old one.
   EXPECT_EQ(bundle.certify(kServe, "").status, 0);
   EXPECT_FALSE(fs::exists(bundle.file + ".asc"));

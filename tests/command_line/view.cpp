@@ -53,7 +53,7 @@ TEST(View, ReplacesNoFileOfAnotherKindUnlessNamed) {
   const std::string mine = folder.write("three-holes.html", "<p>my notes</p>");
   const Outcome outcome = command(in(folder, kHoles));
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_EQ(outcome.err, "three-holes.html: is there and no page of toolcomp; name another one with --out\n");
+  EXPECT_EQ(outcome.err, "three-holes.html: exists and is not a page of toolcomp; name another file with --out\n");
   EXPECT_EQ(toolcomp::test::read(mine), "<p>my notes</p>");
   EXPECT_EQ(command(in(folder, kHoles + " --out three-holes.html")).status, 0);
   EXPECT_NE(toolcomp::test::read(mine), "<p>my notes</p>");

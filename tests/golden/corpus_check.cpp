@@ -164,22 +164,24 @@ TEST_F(SmallCorpus, LintFindsForeignFiles) {
 
 TEST_F(SmallCorpus, LintFindsChangedBytes) {
   std::ofstream(folder_ / kFile, std::ios::app) << '\n';
-  EXPECT_EQ(lint(folder_), std::vector<std::string>{std::string(kFile) + ": the SHA-256 is not that of the manifest"});
+  EXPECT_EQ(lint(folder_),
+            std::vector<std::string>{std::string(kFile) + ": the SHA-256 is not the one in the manifest"});
 }
 
 TEST_F(SmallCorpus, LintFindsOtherFormatting) {
   put(replaced(R"({"case":1,)", R"({"case": 1,)"));
-  EXPECT_EQ(lint(folder_), std::vector<std::string>{std::string(kFile) + ":1: not as the writer writes it"});
+  EXPECT_EQ(lint(folder_),
+            std::vector<std::string>{std::string(kFile) + ":1: the line is not in the form that toolcomp writes"});
 }
 
 TEST_F(SmallCorpus, LintFindsAnIdThatIsNotItsOwn) {
   put(replaced("G01 X100", "G01 X101"));
-  EXPECT_EQ(lint(folder_), std::vector<std::string>{std::string(kFile) + ":1: the id is not that of the vector"});
+  EXPECT_EQ(lint(folder_), std::vector<std::string>{std::string(kFile) + ":1: the id does not belong to this vector"});
 }
 
 TEST_F(SmallCorpus, LintFindsRepetition) {
   put(text_.substr(0, text_.find('\n') + 1) + text_);
-  EXPECT_EQ(lint(folder_), std::vector<std::string>{std::string(kFile) + ":2: the same vector stands twice"});
+  EXPECT_EQ(lint(folder_), std::vector<std::string>{std::string(kFile) + ":2: the same vector occurs twice"});
 }
 
 TEST_F(SmallCorpus, LintFindsUnknownFlags) {

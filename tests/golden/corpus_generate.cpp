@@ -98,7 +98,7 @@ TEST(Vectors, NotEverythingCanBeOne) {
   c.program = "(nothing)\n";
   EXPECT_EQ(complete(c), "nothing could be judged");
   c.program = std::string("X1\0\n", 4);
-  EXPECT_EQ(complete(c), "the program is no text");
+  EXPECT_EQ(complete(c), "the program cannot be read");
   c.setup.parameters[{19631, -1}] = spec::decimal(91);
   c.program = "X1\n";
   EXPECT_EQ(complete(c), "no control could have this setup");

@@ -449,24 +449,24 @@ TEST(Batch, RefusesWhatIsNoLine) {
   const std::vector<double> three{1, 2, 3};
   const std::vector<double> bad{1, std::numeric_limits<double>::quiet_NaN()};
   const std::vector<double> far{1, -2e9};
-  expect_refused(fanuc, "G90\n", {{"X", two}, {"Y", three}}, "Y: 3 values where X has 2");
+  expect_refused(fanuc, "G90\n", {{"X", two}, {"Y", three}}, "Y: 3 values, and X has 2");
   expect_refused(fanuc, "G90\n", {{"X", two}, {"X", two}}, "X: named twice");
-  expect_refused(fanuc, "G90\n", {{"B", two}}, "B: no word of a line that this control has");
-  expect_refused(fanuc, "G90\n", {{"NX", two}}, "NX: no word of a line that this control has");
+  expect_refused(fanuc, "G90\n", {{"B", two}}, "B: not a word of a line of this control");
+  expect_refused(fanuc, "G90\n", {{"NX", two}}, "NX: not a word of a line of this control");
   expect_refused(fanuc, "G90\n", {{"X", two, 10}}, "X: more than 9 decimals");
-  expect_refused(fanuc, "G90\n", {{"X", two}, {"Y", bad}}, "Y: value 1 is nan: no number up to 1e+09");
-  expect_refused(fanuc, "G90\n", {{"X", far}}, "X: value 1 is -2e+09: no number up to 1e+09");
+  expect_refused(fanuc, "G90\n", {{"X", two}, {"Y", bad}}, "Y: value 1 is nan; expected a number up to 1e+09");
+  expect_refused(fanuc, "G90\n", {{"X", far}}, "X: value 1 is -2e+09; expected a number up to 1e+09");
   const spec::Setup klartext = spec::read_setup_toml(kKlartext, "setup");
   const std::vector<double> zero{0, 0};
   const std::vector<double> ten{0, 10};
   expect_refused(klartext, "", {{"NX", two}, {"NY", two}, {"NZ", two}},
-                 "vectors: X, Y, Z and all three components are needed");
+                 "vectors: X, Y, Z and all three components of the vector are needed");
   expect_refused(klartext, "", {{"X", two}, {"Y", two}, {"Z", two}, {"NX", zero}, {"NY", zero}, {"NZ", zero}},
                  "NX: the vector of value 0 is 0");
   expect_refused(klartext, "", {{"X", two}, {"Y", two}, {"Z", two}, {"NX", zero}, {"NY", zero}, {"NZ", ten}},
-                 "NZ: value 1 is 10: no number up to 9.999");
+                 "NZ: value 1 is 10; expected a number up to 9.999");
   expect_refused(klartext, "", {{"X", two}, {"Y", two}, {"Z", two}, {"TX", zero, 3}, {"TY", zero, 3}, {"TZ", two, 4}},
-                 "TX, TY, TZ: not of as many decimals");
+                 "TX, TY, TZ: these words must have the same number of decimals");
 }
 
 // Words are rounded as a post processor prints them; many decimals and long ways go one by one.

@@ -115,7 +115,7 @@ def test_alarm() -> None:
 @pytest.mark.parametrize(
     ("columns", "message"),
     [
-        ({"X": [1.0], "Y": [1.0, 2.0]}, "Y: 2 values where X has 1"),
+        ({"X": [1.0], "Y": [1.0, 2.0]}, "Y: 2 values, and X has 1"),
         ({"Q": [1.0]}, "Q: no word of a line"),
         ({"X": [1.0, np.nan]}, "X: value 1 is"),
         ({"X": [[1.0]]}, "X: not one-dimensional"),

@@ -220,7 +220,7 @@ def test_what_cannot_be() -> None:
         toolcomp.certify("/nowhere/control", sections=SECTION, cases=1, corpus=False)
     with pytest.raises(ValueError, match="jobs"):
         toolcomp.certify(right, jobs=0)
-    with pytest.raises(TypeError, match="is no controller"):
+    with pytest.raises(TypeError, match="is not a controller"):
         toolcomp.certify(7)  # type: ignore[arg-type]
 
 

@@ -114,5 +114,5 @@ def test_numbers() -> None:
     assert json_of_number(1e-7) == 1e-7
     assert json_of_number(float("nan")) == "nan"
     assert json_of_number("12.50") == "12.50"
-    with pytest.raises(TypeError, match="None is no number"):
+    with pytest.raises(TypeError, match="None is not a number"):
         json_of_number(None)

@@ -85,9 +85,9 @@ def test_a_file(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("recording", "message"),
     [
-        ({"X": X, "Y": Y[1:]}, "Y: 20 samples where others have 21"),
-        ({"X": X, "Q": Y}, "Q: no axis of the setup, which has XYZC"),
-        ({"X": X, "Y": np.where(Y == 5, np.nan, Y)}, "Y: sample 15 is no number"),
+        ({"X": X, "Y": Y[1:]}, "Y: 20 samples, and other arrays have 21"),
+        ({"X": X, "Q": Y}, "Q: not an axis of the setup, which has XYZC"),
+        ({"X": X, "Y": np.where(Y == 5, np.nan, Y)}, "Y: sample 15 is not a number"),
         ({"X": X, "time": -0.001 * np.arange(21)}, "time: runs backwards at sample 1"),
         ({"X": X.reshape(3, 7)}, "X: not one-dimensional"),
         ({}, "at least one axis"),

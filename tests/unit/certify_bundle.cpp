@@ -174,26 +174,26 @@ TEST(Bundle, HostileArchivesAreRefused) {
   const std::string manifest = manifest_of(kNeeded, 0);
   for (const char* name : {"../manifest.json", "/etc/passwd", "a/../../b", "manifest.json/"})
     EXPECT_EQ(hostile.refused([&](auto* archive, auto* entry) { Hostile::text(archive, entry, name, "x"); }),
-              "a member has a name that no bundle has")
+              "a member has a name that is not allowed in a bundle")
         << name;
   EXPECT_EQ(hostile.refused([&](auto* archive, auto* entry) {
     archive_entry_set_filetype(entry, AE_IFLNK);
     archive_entry_set_symlink(entry, "/etc/passwd");
     Hostile::text(archive, entry, "manifest.json", "");
   }),
-            "manifest.json: is no plain file");
+            "manifest.json: is not a regular file");
   EXPECT_EQ(hostile.refused([&](auto* archive, auto* entry) {
     Hostile::text(archive, entry, "manifest.json", manifest);
     archive_entry_set_hardlink(entry, "manifest.json");
     Hostile::text(archive, entry, "cases.jsonl", "");
   }),
-            "cases.jsonl: is no plain file");
+            "cases.jsonl: is not a regular file");
   EXPECT_EQ(hostile.refused([&](auto* archive, auto* entry) {
     Hostile::text(archive, entry, "manifest.json", manifest);
     for (const std::string& name : kNeeded) Hostile::text(archive, entry, name.c_str(), "");
     Hostile::text(archive, entry, "cases.jsonl", "");
   }),
-            "cases.jsonl: is there twice");
+            "cases.jsonl: is in the bundle twice");
   EXPECT_EQ(hostile.refused([&](auto* archive, auto* entry) {
     for (int i = 0; i < 2; ++i) Hostile::text(archive, entry, "manifest.json", manifest);
   }),
@@ -220,17 +220,18 @@ TEST(Bundle, ManifestsThatCannotBeAreRefused) {
   };
   std::vector<std::string> files = kNeeded;
   EXPECT_EQ(refused(manifest_of(files, 0)), "answers.jsonl: is missing");
-  EXPECT_EQ(refused(manifest_of(files, std::uint64_t{1} << 33)), "manifest.json: names more than can be read");
+  EXPECT_EQ(refused(manifest_of(files, std::uint64_t{1} << 33)),
+            "manifest.json: the files are larger in total than toolcomp can read");
   EXPECT_TRUE(refused(manifest_of(files, UINT64_MAX)).starts_with("unreadable: manifest.json:"));
   EXPECT_EQ(refused(manifest_of(files, std::uint64_t{1} << 29)),
-            "manifest.json: names more than can be held in memory");
+            "manifest.json: the files are larger in total than toolcomp can hold in memory");
   files.push_back("cases.jsonl");
   EXPECT_EQ(refused(manifest_of(files, 0)), "manifest.json: names cases.jsonl twice");
   files.back() = "../x";
-  EXPECT_EQ(refused(manifest_of(files, 0)), "manifest.json: names a file as no bundle does");
+  EXPECT_EQ(refused(manifest_of(files, 0)), "manifest.json: has a file name that is not allowed in a bundle");
   files.back() = "manifest.json";
   EXPECT_EQ(refused(manifest_of(files, 0)), "manifest.json: names manifest.json twice");
-  EXPECT_EQ(refused(manifest_of({"cases.jsonl"}, 0)), "manifest.json: names no answers.jsonl");
+  EXPECT_EQ(refused(manifest_of({"cases.jsonl"}, 0)), "manifest.json: does not name answers.jsonl");
   for (const char* text : {"", "[]", "{", "null", R"({"evidence":"1"})", R"({"evidence":1})",
                            "{\"evidence\":1,\"tool\":7}", R"({"evidence":2})", R"({"evidence":1,"more":1})"})
     EXPECT_TRUE(refused(text).starts_with("unreadable: manifest.json:1:")) << text;

@@ -62,7 +62,7 @@ TEST(Capabilities, ACoarseResolutionHasToBeAccepted) {
   };
   const auto text = [](const std::string& announced, const std::string& unit) {
     return "--controller: the controller announces a resolution of " + announced + unit +
-           ", coarser than 0.01 mm (0.0004 inch): whoever accepts that says --accept-resolution " + announced;
+           ", coarser than 0.01 mm (0.0004 inch); to accept it, give --accept-resolution " + announced;
   };
   EXPECT_EQ(refused(R"("resolution":"0.01")"), "");
   EXPECT_EQ(refused(R"("resolution":"0.02")"), text("0.02", " mm"));

@@ -64,7 +64,7 @@ TEST(Settling, OneOfEachGroupTheLargestFirst) {
   EXPECT_EQ(settled.causes[1].findings, (std::vector<std::size_t>{1, 2}));
   ASSERT_EQ(settled.findings.size(), 3U);
   EXPECT_EQ(settled.findings[1].smallest.program, "G49\n") << "the smallest of its group";
-  EXPECT_EQ(reasons(settled), (std::vector<std::string>{"", "", "finding 2 stands for its group"}));
+  EXPECT_EQ(reasons(settled), (std::vector<std::string>{"", "", "finding 2 represents its group"}));
   EXPECT_EQ(settled.findings[1].occurrences, 4U);
   EXPECT_EQ(settled.findings[1].tried, 3U);
   EXPECT_EQ(settled.findings[2].tried, 0U);
@@ -85,7 +85,7 @@ TEST(Settling, EndsWhenTheTimeIsOver) {
     return settled;
   };
   const Settled settled = settle(sightings, options);
-  EXPECT_EQ(reasons(settled), (std::vector<std::string>{"", "no time was left", "finding 2 stands for its group"}));
+  EXPECT_EQ(reasons(settled), (std::vector<std::string>{"", "no time was left", "finding 2 represents its group"}));
   EXPECT_EQ(settled.findings[1].before.size(), 5U) << "all, so that it can be replayed";
 }
 
@@ -119,7 +119,7 @@ TEST(Settling, NothingWhereItIsNotWantedOrInterrupted) {
   SettlingOptions none;
   none.budget = seconds(0);
   EXPECT_EQ(reasons(settle(three(), none)),
-            (std::vector<std::string>{"not asked for", "not asked for", "finding 2 stands for its group"}));
+            (std::vector<std::string>{"not asked for", "not asked for", "finding 2 represents its group"}));
   SettlingOptions interrupted;
   interrupted.stop = [] { return "interrupted (SIGINT)"; };
   EXPECT_EQ(reasons(settle(three(), interrupted))[0], "interrupted (SIGINT)");

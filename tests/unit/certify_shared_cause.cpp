@@ -72,12 +72,12 @@ std::function<void(Events&)> positions(const std::function<void(spec::AxisValues
 TEST(SharedCause, ConstantsAndFactors) {
   EXPECT_EQ(named(positions([](auto& at) { at.value[0] += 0.000001; })), "axes.X is off by 1e-06");
   EXPECT_EQ(named(positions([](auto& at) { at.value[2] -= 1.5; })), "axes.Z is off by -1.5");
-  EXPECT_EQ(named(positions([](auto& at) { at.value[1] *= -1; })), "axes.Y has the other sign");
+  EXPECT_EQ(named(positions([](auto& at) { at.value[1] *= -1; })), "axes.Y has the opposite sign");
   EXPECT_EQ(named(positions([](auto& at) { at.value[2] *= 1.001; })), "axes.Z is scaled by 1.001");
   EXPECT_EQ(named(positions([](auto& at) {
               for (double& x : at.value) x /= 25.4;
             })),
-            "axes is in inches for millimetres (÷ 25.4)");
+            "axes is in inches instead of millimetres (÷ 25.4)");
   EXPECT_EQ(named([](Events& events) {
               for (auto& event : events)
                 if (event.feed) event.feed = *event.feed * 2;
@@ -98,7 +98,7 @@ TEST(SharedCause, AxesBlocksAndEvents) {
                 events[i].axes = events[i - 1].axes;
               }
             }),
-            "positions come a block late");
+            "positions come one block late");
   EXPECT_EQ(named([](Events& events) { events.pop_back(); }), "the last event is missing");
 }
 
@@ -137,7 +137,7 @@ TEST(SharedCause, OffsetsAndSides) {
                   entry.wear.negative = !entry.wear.negative;
                 }
             }),
-            "offsets have the other sign");
+            "offsets have the opposite sign");
   EXPECT_EQ(named_with([](spec::Case& c) {
               for (auto* table : {&c.setup.h, &c.setup.d})
                 for (auto& [n, entry] : *table) entry = {};

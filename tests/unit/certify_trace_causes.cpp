@@ -124,7 +124,7 @@ TEST(TraceCauses, AxesExchanged) {
 }
 
 TEST(TraceCauses, AnAxisReversed) {
-  EXPECT_EQ(cause(kContour, [](AxisPoint& at) { at[1] = -at[1]; }), "axis Y runs the other way");
+  EXPECT_EQ(cause(kContour, [](AxisPoint& at) { at[1] = -at[1]; }), "axis Y runs in the opposite direction");
 }
 
 TEST(TraceCauses, Shifted) {
@@ -163,11 +163,11 @@ TEST(TraceCauses, Offsets) {
     change(other.setup);
     return other;
   };
-  EXPECT_EQ(cause(c, with([](spec::Setup& s) { s.h[1] = {}; })), "H1 (here 25) is not taken off: it counts as 0");
+  EXPECT_EQ(cause(c, with([](spec::Setup& s) { s.h[1] = {}; })), "H1 (here 25) is ignored: it counts as 0");
   EXPECT_EQ(cause(c, with([](spec::Setup& s) { s.h[1] = s.h[2]; })), "H1 (here 25) has the value of H2, 40");
   EXPECT_EQ(cause(c, with([](spec::Setup& s) { s.d[1].wear = {}; })), "D1 (here 4.5) is taken without its wear");
   EXPECT_EQ(cause(c, with([](spec::Setup& s) { s.d[1] = {spec::decimal(-4), *spec::parse_decimal("-0.5")}; })),
-            "D1 (here 4.5) has the other sign");
+            "D1 (here 4.5) has the opposite sign");
   EXPECT_EQ(cause(c, with([](spec::Setup& s) { s.d[1].wear = *spec::parse_decimal("0.52"); })).substr(0, 28),
             "D1 (here 4.5) is off by +0.0");
 }
@@ -228,7 +228,7 @@ TEST(TraceCauses, SensesOfRotation) {
   const spec::Case c = five_axes(kTip);
   spec::Case other = c;
   other.setup.parameters[{19689, -1}] = spec::decimal(1);
-  EXPECT_EQ(cause(c, other), "a rotary axis turns the other way (No. 19689)");
+  EXPECT_EQ(cause(c, other), "a rotary axis turns in the opposite direction (No. 19689)");
 }
 
 TEST(TraceCauses, ABumpHasNone) {

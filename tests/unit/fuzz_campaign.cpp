@@ -129,10 +129,10 @@ TEST(Floors, WhatIsJudgedTooSeldomSaysSo) {
   EXPECT_TRUE(fuzz::shortfalls(directed, result).empty());
   fuzz::Counters few = result;
   few.acceptance[0] = 8'000;
-  EXPECT_EQ(fuzz::shortfalls(directed, few), std::vector<std::string>{"acceptance 80.0 %, at least 85 % wanted"});
+  EXPECT_EQ(fuzz::shortfalls(directed, few), std::vector<std::string>{"acceptance 80.0 %, at least 85 % required"});
   fuzz::Counters wide = result;
   wide.wide = 10'000;
-  EXPECT_EQ(fuzz::shortfalls(directed, wide), std::vector<std::string>{"judged share 83.3 %, at least 99 % wanted"});
+  EXPECT_EQ(fuzz::shortfalls(directed, wide), std::vector<std::string>{"judged share 83.3 %, at least 99 % required"});
   fuzz::Counters lawless = result;
   lawless.law_checks = 10;
   EXPECT_EQ(fuzz::shortfalls(directed, lawless).size(), 1U);

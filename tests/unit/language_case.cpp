@@ -150,9 +150,9 @@ TEST(Case, TheControlDecidesTheDialect) {
   EXPECT_EQ(read_case(dialect("", heidenhain), "c").dialect, "klartext");
   EXPECT_EQ(read_case(dialect(R"("dialect":"klartext",)", heidenhain), "c").dialect, "klartext");
   EXPECT_EQ(error(dialect(R"("dialect":"klartext",)", "")),
-            "c.json:1:21: dialect: the control of the setup takes \"fanuc\", found \"klartext\"");
+            "c.json:1:21: dialect: the control of the setup needs \"fanuc\", found \"klartext\"");
   EXPECT_EQ(error(dialect(R"("dialect":"fanuc",)", heidenhain)),
-            "c.json:1:21: dialect: the control of the setup takes \"klartext\", found \"fanuc\"");
+            "c.json:1:21: dialect: the control of the setup needs \"klartext\", found \"fanuc\"");
   EXPECT_EQ(error(dialect(R"("dialect":"iso",)", "")),
             "c.json:1:21: dialect: unknown value \"iso\"; expected one of fanuc, klartext");
 }
@@ -172,7 +172,7 @@ TEST(Case, EventsHaveTheFieldsOfTheirKind) {
   EXPECT_EQ(event_error(R"({"kind":"hole","line":1,"point":{"X":1},"r":3,"bottom":-4,"return":3,"axes":{"X":1}})"),
             "no error");
   EXPECT_EQ(event_error(R"({"kind":"move","line":1,"type":"rapid","cause":"programmed","unknown":["Q"]})"),
-            "unknown: \"Q\" is no axis of the setup");
+            "unknown: \"Q\" is not an axis of the setup");
   EXPECT_EQ(event_error(R"({"kind":"move","line":1,"type":"arc","cause":"programmed","sweep":1})"),
             "event: without center");
   EXPECT_EQ(event_error(R"({"kind":"alarm","number":"A","line":1,"feed":1})"),
@@ -221,10 +221,10 @@ TEST(Case, NumbersAreNumbers) {
     EXPECT_EQ(value(text), "no error") << text;
   EXPECT_EQ(value("\"nan\""), "value: expected a number, found \"nan\"");
   EXPECT_EQ(value("null"), "value: expected a number, found null");
-  EXPECT_EQ(value("{}"), "value: a number without v");
-  EXPECT_EQ(value(R"({"v":1,"r":-1})"), "value: a radius below 0");
-  EXPECT_EQ(value(R"({"v":1,"q":"1/0"})"), "value: q is a fraction such as \"-3/4\"");
-  EXPECT_EQ(value(R"({"v":1,"q":"1/2/3"})"), "value: q is a fraction such as \"-3/4\"");
+  EXPECT_EQ(value("{}"), "value: the number has no \"v\"");
+  EXPECT_EQ(value(R"({"v":1,"r":-1})"), "value: r must not be negative");
+  EXPECT_EQ(value(R"({"v":1,"q":"1/0"})"), "value: q must be a fraction such as \"-3/4\"");
+  EXPECT_EQ(value(R"({"v":1,"q":"1/2/3"})"), "value: q must be a fraction such as \"-3/4\"");
   EXPECT_EQ(value(R"({"v":1,"x":1})"), "value: unknown key \"x\"; expected one of v, r, q");
 }
 
@@ -232,7 +232,7 @@ TEST(Case, MalformedPartsAreRefused) {
   const auto move = [](const std::string& field) {
     return event_error(R"({"kind":"move","line":1,"type":"rapid","cause":"programmed",)" + field + "}");
   };
-  EXPECT_EQ(move(R"("point":{"Q":1})"), "point: \"Q\" is no axis of the setup");
+  EXPECT_EQ(move(R"("point":{"Q":1})"), "point: \"Q\" is not an axis of the setup");
   EXPECT_EQ(move(R"("point":[1])"), "point: expected a table, found an array");
   EXPECT_EQ(move(R"("tool_axis":[0,1])"), "tool_axis: expected 3 numbers");
   EXPECT_EQ(move(R"("n":-1)"), "n: expected an integer from 0 to 999999999999999999, found \"-1\"");

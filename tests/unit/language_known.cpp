@@ -45,7 +45,7 @@ TEST(Known, Sums) {
   more.add(Known::ours, 42);
   counts.add(more);
   EXPECT_EQ(counts.total(), 214U);
-  EXPECT_EQ(counts.words(), "61 are the manual's, 40 a sister's, 70 recollection, 43 ours");
+  EXPECT_EQ(counts.words(), "61 from the manual, 40 from a sister manual, 70 from recollection, 43 ours");
 }
 
 TEST(Known, CitationsNamePagesAndSections) {

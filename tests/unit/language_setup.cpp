@@ -251,7 +251,7 @@ TEST(Setup, MeasurementNamesAxesOfTheSetup) {
   EXPECT_TRUE(toml("").measurement.empty());
   EXPECT_EQ(toml("[measurement]\nX = -0.5\nZ = 198").measurement.at('X'), (Decimal{5, 1, true, true}));
   EXPECT_EQ(toml_error("[measurement]\nW = 1"),
-            "f.toml:2:1: measurement: \"W\" is no axis of this setup; its axes are XYZ");
+            "f.toml:2:1: measurement: \"W\" is not an axis of this setup; its axes are XYZ");
   EXPECT_EQ(toml_error("measurement = 198").substr(0, 9), "f.toml:1:");
 }
 
@@ -267,29 +267,31 @@ TEST(Setup, ErrorsNamePlaceFaultAndExpectation) {
       ", block_skip, parameters, alarms, offsets, workpiece, position, reference, measurement; did you mean units?"))
       << unknown;
   EXPECT_EQ(toml_error("axes = [\"X\", \"Q\"]"),
-            "f.toml:1:14: axes: \"Q\" is no axis; expected one of A B C U V W X Y Z");
+            "f.toml:1:14: axes: \"Q\" is not an axis; expected one of A B C U V W X Y Z");
   EXPECT_EQ(toml_error("axes = [\"X\", \"X\"]"), "f.toml:1:14: axes: axis X is given twice");
   EXPECT_EQ(toml_error("axes = []"), "f.toml:1:8: axes: expected at least one axis");
   EXPECT_EQ(toml_error("axes = \"XYZ\""), "f.toml:1:8: axes: expected an array, found a string");
   EXPECT_EQ(toml_error("block_skip = 1"), "f.toml:1:14: block_skip: expected true or false, found a number");
-  EXPECT_EQ(toml_error("[parameters]\n\"5001#8\" = 1"),
-            "f.toml:2:1: parameters: \"5001#8\" is no parameter; expected a number up to 99999, or number#bit with a "
-            "bit from 0 to 7");
+  EXPECT_EQ(
+      toml_error("[parameters]\n\"5001#8\" = 1"),
+      "f.toml:2:1: parameters: \"5001#8\" is not a parameter; expected a number up to 99999, or number#bit with a "
+      "bit from 0 to 7");
   EXPECT_EQ(toml_error("[parameters]\n05001 = 1").substr(0, 24), "f.toml:2:1: parameters: ");
-  EXPECT_EQ(toml_error("[parameters]\n\"5001#2\" = 2"), "f.toml:2:12: 5001#2: a bit is 0 or 1, found \"2\"");
+  EXPECT_EQ(toml_error("[parameters]\n\"5001#2\" = 2"), "f.toml:2:12: 5001#2: expected 0 or 1, found \"2\"");
   EXPECT_EQ(toml_error("[parameters]\n5001 = true"),
             "f.toml:2:8: 5001: expected a decimal number, found true or false");
   EXPECT_EQ(toml_error("[offsets.H]\n0 = 1"),
-            "f.toml:2:1: offsets.H: \"0\" is no offset number; expected 1 to offsets.count = 400");
+            "f.toml:2:1: offsets.H: \"0\" is not an offset number; expected 1 to offsets.count = 400");
   EXPECT_EQ(toml_error("offsets.count = 32\n[offsets.D]\n33 = 1"),
-            "f.toml:3:1: offsets.D: \"33\" is no offset number; expected 1 to offsets.count = 32");
+            "f.toml:3:1: offsets.D: \"33\" is not an offset number; expected 1 to offsets.count = 32");
   EXPECT_EQ(toml_error("offsets.count = 1000"),
             "f.toml:1:17: offsets.count: expected an integer from 1 to 999, found \"1000\"");
   EXPECT_EQ(toml_error("offsets.memory = \"A\"\n[offsets.H]\n1 = { wear = 1 }"),
-            "f.toml:3:5: offsets: memory A has one value an entry; expected a number, or memory B or C");
+            "f.toml:3:5: offsets: memory A has one value for each entry; expected a number, or memory B or C");
   EXPECT_EQ(toml_error("[offsets.H]\n1 = { ware = 1 }"),
             "f.toml:2:7: offsets.H.1: unknown key \"ware\"; expected one of geometry, wear; did you mean wear?");
-  EXPECT_EQ(toml_error("[position]\nB = 1"), "f.toml:2:1: position: \"B\" is no axis of this setup; its axes are XYZ");
+  EXPECT_EQ(toml_error("[position]\nB = 1"),
+            "f.toml:2:1: position: \"B\" is not an axis of this setup; its axes are XYZ");
   EXPECT_EQ(toml_error("[workpiece.G53]\nX = 1").substr(0, 35), "f.toml:1:12: workpiece: unknown key");
   EXPECT_EQ(toml_error("[reference.5]\nX = 1").substr(0, 35), "f.toml:1:12: reference: unknown key");
 }
@@ -327,13 +329,13 @@ TEST(Setup, ValuesOfParametersAreOfTheirTypeAndRange) {
             "f.toml:2:9: parameters.19681: expected the number of an axis, 0 to 3 (axes XYZ), found \"4\"");
   EXPECT_EQ(at("19681 = 1.5").substr(0, 39), "f.toml:2:9: parameters.19681: expected ");
   EXPECT_EQ(at("19680 = true"), "f.toml:2:9: 19680: expected a decimal number, found true or false");
-  EXPECT_EQ(at("\"5001#2\" = 0.5"), "f.toml:2:12: 5001#2: a bit is 0 or 1, found \"0.5\"");
+  EXPECT_EQ(at("\"5001#2\" = 0.5"), "f.toml:2:12: 5001#2: expected 0 or 1, found \"0.5\"");
   // All bits of the number, given to one of them; its last digit is the bit, or is not.
-  EXPECT_EQ(at("\"5003#1\" = \"00000001\""), "f.toml:2:12: 5003#1: a bit is 0 or 1, found \"00000001\"");
-  EXPECT_EQ(at("\"5003#1\" = \"00000010\""), "f.toml:2:12: 5003#1: a bit is 0 or 1, found \"00000010\"");
-  EXPECT_EQ(at("\"5003#1\" = \"00\""), "f.toml:2:12: 5003#1: a bit is 0 or 1, found \"00\"");
+  EXPECT_EQ(at("\"5003#1\" = \"00000001\""), "f.toml:2:12: 5003#1: expected 0 or 1, found \"00000001\"");
+  EXPECT_EQ(at("\"5003#1\" = \"00000010\""), "f.toml:2:12: 5003#1: expected 0 or 1, found \"00000010\"");
+  EXPECT_EQ(at("\"5003#1\" = \"00\""), "f.toml:2:12: 5003#1: expected 0 or 1, found \"00\"");
   EXPECT_EQ(json_error("{\"parameters\":\n{\"5003#1\": \"00000000\"}}"),
-            "f.json:2:12: 5003#1: a bit is 0 or 1, found \"00000000\"");
+            "f.json:2:12: 5003#1: expected 0 or 1, found \"00000000\"");
   EXPECT_EQ(json_error("{\"parameters\":\n{\"6261\": -1}}"),
             "f.json:2:10: parameters.6261: expected an angle (degrees) from 0 to 180, found \"-1\"");
   for (const char* good :
@@ -345,7 +347,8 @@ TEST(Setup, ValuesOfParametersAreOfTheirTypeAndRange) {
 TEST(Setup, BitsAsOneNumberAreThoseThatAreKnown) {
   const auto at = [](const std::string& line) { return toml_error("[parameters]\n" + line); };
   EXPECT_EQ(at("5001 = 127"), "no error");
-  const std::string expected = "f.toml:2:8: parameters.5003: expected a whole number of no bits but 0, 1 or 2, found ";
+  const std::string expected =
+      "f.toml:2:8: parameters.5003: expected a whole number that sets no bits except 0, 1 or 2, found ";
   EXPECT_EQ(at("5003 = 8"), expected + "\"8\"");
   EXPECT_EQ(at("5003 = -1"), expected + "\"-1\"");
   EXPECT_EQ(at("5003 = 1.0"), expected + "\"1.0\"");
@@ -366,7 +369,7 @@ TEST(Setup, WhatIsNotSupportedIsRefused) {
 // 00000100 is bit 2 on a control, and would be bits 6, 5 and 2 as a decimal number: 100 = 64 + 32 + 4.
 TEST(Setup, ARowOfBitsIsNoNumber) {
   const auto at = [](const std::string& line) { return toml_error("[parameters]\n" + line); };
-  const std::string one_by_one = ": bits are given one by one, as in ";
+  const std::string one_by_one = ": bits must be given one by one, as in ";
   EXPECT_EQ(at("5001 = \"00000100\""),
             "f.toml:2:8: parameters.5001" + one_by_one + "\"5001#2\" = 1, found \"00000100\"");
   EXPECT_EQ(at("5003 = \"10000010\""),
@@ -430,7 +433,7 @@ TEST(Setup, HeidenhainDefaults) {
   EXPECT_EQ(toml_error(kHeidenhain + std::string("axes = [\"X\", \"Z\"]")),
             "f.toml:2:8: axes: without Y; control \"heidenhain\" needs X, Y and Z");
   EXPECT_EQ(toml_error(kHeidenhain + std::string("[position]\nU = 1")),
-            "f.toml:3:1: position: \"U\" is no axis of this setup; its axes are XYZABC");
+            "f.toml:3:1: position: \"U\" is not an axis of this setup; its axes are XYZABC");
 }
 
 std::string tool_error(const std::string& row) { return toml_error(kHeidenhain + ("[[tool]]\n" + row)); }
@@ -489,7 +492,7 @@ TEST(Setup, DeviationTables) {
   EXPECT_EQ(toml_error(table("[]")), "f.toml:4:10: dr2table.points: expected at least one point");
   EXPECT_EQ(toml_error(table("[[1]]")), "f.toml:4:11: dr2table.points: expected [angle, deviation]");
   EXPECT_EQ(toml_error(table("[[10, 0], [\"10.0\", 1]]")),
-            "f.toml:4:20: dr2table.points: the angles do not ascend at \"10.0\"");
+            "f.toml:4:20: dr2table.points: the angles must ascend; they do not at \"10.0\"");
   EXPECT_EQ(toml_error(table("[[-1, 0]]")),
             "f.toml:4:11: dr2table.points: expected an angle from 0 to 180 degrees, found \"-1\"");
   EXPECT_EQ(toml_error(table("[[180.0001, 0]]")),

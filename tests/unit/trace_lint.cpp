@@ -62,12 +62,12 @@ class LinterFaults : public testing::Test {
 TEST_F(LinterFaults, GoodClauseIsClean) { EXPECT_TRUE(lint(clause("fanuc.x.good")).empty()); }
 
 TEST_F(LinterFaults, Ids) {
-  expect_one(clause("fanuc.two"), "an id is three slugs or more, joined by points");
-  expect_one(clause("fanuc.x.two--hyphens"), "an id is three slugs or more, joined by points");
-  expect_one(clause("fanuc.x.Upper"), "an id is three slugs or more, joined by points");
-  expect_one(clause("other.x.good"), "an id begins with the name of its folder");
-  expect_one(clause("fanuc.x.rule-24"), "an id names no page");
-  expect_one(clause("fanuc.x.page"), "an id names no page");
+  expect_one(clause("fanuc.two"), "an id must be three or more slugs, joined by points");
+  expect_one(clause("fanuc.x.two--hyphens"), "an id must be three or more slugs, joined by points");
+  expect_one(clause("fanuc.x.Upper"), "an id must be three or more slugs, joined by points");
+  expect_one(clause("other.x.good"), "an id must begin with the name of its folder");
+  expect_one(clause("fanuc.x.rule-24"), "an id must not name a page");
+  expect_one(clause("fanuc.x.page"), "an id must not name a page");
 }
 
 TEST_F(LinterFaults, NumbersThatAreNoPageMayStandInIds) { EXPECT_TRUE(lint(clause("fanuc.x.near-90")).empty()); }
@@ -82,34 +82,34 @@ TEST_F(LinterFaults, Kind) { expect_one(clause("fanuc.x.a", "", R"({ known = "ou
 
 TEST_F(LinterFaults, Text) {
   expect_one("[[clause]]\nid = \"fanuc.x.a\"\nkind = \"note\"\nsource = { known = \"ours\" }\ntext = \"no end\"\n",
-             "the text is not made of whole sentences");
+             "the text must end with a full stop");
 }
 
 TEST_F(LinterFaults, Source) {
-  expect_one("[[clause]]\nid = \"fanuc.x.a\"\nkind = \"note\"\ntext = \"One.\"\n", "a source is missing");
+  expect_one("[[clause]]\nid = \"fanuc.x.a\"\nkind = \"note\"\ntext = \"One.\"\n", "the source is missing");
   expect_one(clause("fanuc.x.a", "", R"({ document = "D" })"),
-             "the source says how well the clause is known: manual, sister, recollection or ours");
+             "the source must say how well the clause is known: manual, sister, recollection or ours");
   expect_one(clause("fanuc.x.a", "", R"({ document = "D", known = "manual" })"),
-             "a manual is named with document and page");
+             "a manual must be named with document and page");
   expect_one(clause("fanuc.x.a", "", R"({ page = "24", known = "sister" })"),
-             "a manual is named with document and page");
+             "a manual must be named with document and page");
   expect_one(clause("fanuc.x.a", "", R"({ document = "D", known = "ours" })", "note"),
-             "a definition of ours has no document");
+             "a definition of ours must not name a document or page");
   EXPECT_TRUE(lint(clause("fanuc.x.a", "", R"({ known = "ours", words = "geometry: it follows" })")).empty());
   expect_one(clause("fanuc.x.a", "", R"({ known = "ours" })"),
-             "a definition of ours is not normative, but for geometry");
+             "a definition of ours must not be normative, unless it is geometry");
 }
 
 TEST_F(LinterFaults, OpenClausesListAlternatives) {
   const std::string ours = R"({ known = "ours" })";
-  expect_one(clause("fanuc.x.a", "", ours, "open"), "an open clause lists alternatives");
+  expect_one(clause("fanuc.x.a", "", ours, "open"), "an open clause must list its alternatives");
   EXPECT_TRUE(lint(clause("fanuc.x.a", "alternatives = [\"The other way.\"]", ours, "open")).empty());
   EXPECT_TRUE(lint(clause("fanuc.x.a", "testable = false\nreason = \"A frame.\"", ours, "open")).empty());
 }
 
 TEST_F(LinterFaults, Testable) {
   expect_one(clause("fanuc.x.a", "testable = false"), "testable = false needs a reason");
-  expect_one(clause("fanuc.x.a", "reason = \"None.\""), "a reason without testable = false");
+  expect_one(clause("fanuc.x.a", "reason = \"None.\""), "a reason is given without testable = false");
 }
 
 TEST_F(LinterFaults, Outcomes) {
@@ -120,15 +120,15 @@ TEST_F(LinterFaults, Outcomes) {
   const std::string sign = "outcomes = \"sign\"\noutcome_text = { positive = \"a\", negative = \"b\", tie = \"c\" }\n";
   EXPECT_TRUE(lint(clause("fanuc.x.a", sign)).empty());
   expect_one(clause("fanuc.x.a", sign + "unreachable = [\"tie\"]"),
-             "unreachable outcomes and their reason belong together");
+             "unreachable outcomes need a reason, and a reason needs unreachable outcomes");
   expect_one(clause("fanuc.x.a", sign + "unreachable = [\"never\"]\nunreachable_reason = \"So.\""),
              "never is no outcome");
-  expect_one(clause("fanuc.x." + std::string(64, 'a'), sign), "too long for an `undecided` event");
+  expect_one(clause("fanuc.x." + std::string(64, 'a'), sign), "the id is too long for an `undecided` event");
 }
 
 TEST_F(LinterFaults, Parameters) {
   EXPECT_TRUE(lint(clause("fanuc.x.a", "parameters = [\"5001#2\", \"19631\"]")).empty());
-  expect_one(clause("fanuc.x.a", "parameters = [\"5001#8\"]"), "5001#8 is no parameter number");
+  expect_one(clause("fanuc.x.a", "parameters = [\"5001#8\"]"), "5001#8 is not a parameter number");
 }
 
 TEST_F(LinterFaults, Replacement) {
@@ -136,7 +136,7 @@ TEST_F(LinterFaults, Replacement) {
   EXPECT_TRUE(lint(clause("fanuc.x.a", "replaced_by = \"fanuc.x.b\"") + clause("fanuc.x.b")).empty());
   expect_one(clause("fanuc.x.a", "replaced_by = \"fanuc.x.b\"") + clause("fanuc.x.b", "replaced_by = \"fanuc.x.c\"") +
                  clause("fanuc.x.c"),
-             "replaced by fanuc.x.b, which is replaced itself");
+             "replaced by fanuc.x.b, which is itself replaced");
 }
 
 TEST_F(LinterFaults, PublishedIdsStay) {
@@ -144,7 +144,7 @@ TEST_F(LinterFaults, PublishedIdsStay) {
   const std::vector<std::string> breaches = lint(clause("fanuc.x.a"));
   ASSERT_EQ(breaches.size(), 1U);
   EXPECT_TRUE(
-      breaches[0].ends_with("published.txt:2:1: fanuc.x.gone: was published and is gone; keep it with replaced_by"))
+      breaches[0].ends_with("published.txt:2:1: fanuc.x.gone: was published and is missing; keep it with replaced_by"))
       << breaches[0];
 }
 

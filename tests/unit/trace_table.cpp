@@ -111,7 +111,8 @@ TEST_F(SmallTree, NoSourceTree) {
   try {
     trace(root_ / "gone");
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("no source tree of toolcomp; name one with --dir"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("is not a source tree of toolcomp; name one with --dir"),
+              std::string::npos);
   }
 }
 

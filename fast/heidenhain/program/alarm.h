@@ -29,7 +29,7 @@ struct NamedWarning {
   const char* message;
 };
 inline constexpr std::array<NamedWarning, 7> kWarnings{{
-    {"W_DIGITS", "more digits than the control takes"},
+    {"W_DIGITS", "more digits than the control accepts"},
     {"W_T_IGNORED", "without TCPM the tool vector is ignored"},
     {"W_NOT_NORMALIZED", "surface normal not normalized"},
     {"W_NOT_NORMALIZED", "tool vector not normalized"},

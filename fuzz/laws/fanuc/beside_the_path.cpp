@@ -327,7 +327,7 @@ void where_the_tool_is_said_to_be(const FanucScene& s, Holding& holding) {
     for (std::size_t k = s.stops[i - 1].block + (starts_up ? 1 : 0); k < s.stops[i].block && !blocks[k].drills; ++k)
       for (std::size_t axis = 0; names_place(blocks[k]) && axis < head.vector.size(); ++axis)
         if (blocks[k].has("XYZ"[axis]))
-          holding.zero(head.vector.at(axis), head.event, "vector where G92 says that the tool is");
+          holding.zero(head.vector.at(axis), head.event, "vector at the place that G92 gives to the tool");
   }
 }
 

@@ -44,7 +44,7 @@ std::vector<std::uint64_t> stops_of(const spec::Case& c) {
 void compare(const spec::Hole<Real>& hole, const spec::Hole<Real>& other, std::size_t event, Holding& holding) {
   holding.holds(hole.axis == other.axis, event, "the drilling axis before a stop, whatever follows");
   for (const auto member : {&spec::Hole<Real>::point_r, &spec::Hole<Real>::bottom, &spec::Hole<Real>::level})
-    holding.zero(hole.*member - other.*member, event, "a level before a stop, less that with nothing behind it");
+    holding.zero(hole.*member - other.*member, event, "a level before a stop, less that with nothing after it");
 }
 
 std::string up_to_line(const std::string& text, std::uint64_t line) {
@@ -67,7 +67,7 @@ void cut_at_a_stop(const spec::Case& c, std::span<const model::Event> events, co
       const auto& without = other[i].point;
       for (std::size_t axis = 0; axis < c.setup.axes.size(); ++axis)
         if (point.has(axis) && without.has(axis))
-          holding.zero(point[axis] - without[axis], i, "a point before a stop, less that with nothing behind it");
+          holding.zero(point[axis] - without[axis], i, "a point before a stop, less that with nothing after it");
       if (events[i].hole && other[i].hole) compare(*events[i].hole, *other[i].hole, i, holding);
     }
     holding.holds(events.size() <= other.size() || events[other.size()].line > line, other.size(),

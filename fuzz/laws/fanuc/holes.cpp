@@ -29,7 +29,8 @@ void ask_position(const FanucScene& s, const HoleByWords& hole, Holding& holding
       continue;
     }
     if (!hole.shifts) continue;
-    holding.holds(event.point.has(i), hole.event, "a hole has a position in every linear axis but the drilling axis");
+    holding.holds(event.point.has(i), hole.event,
+                  "a hole has a position in every linear axis except the drilling axis");
     if (event.point.has(i))
       holding.zero(event.point[i] - hole.shift[i] - hole.position[i], hole.event,
                    "position of the hole, less the commanded one and the shift");
@@ -67,9 +68,9 @@ void ask_offset(const FanucScene& s, std::size_t event, const FanucBlock& b, con
   for (std::size_t i = 0; i < axes.size(); ++i) {
     if (!offset.has(i)) continue;
     if (b.length == 490)
-      holding.zero(offset[i], event, "axis behind a hole, less position or level, without a length offset");
+      holding.zero(offset[i], event, "axis after a hole, less position or level, without a length offset");
     else if (is_free_of_offsets(s, axes.letter(i)))
-      holding.zero(offset[i], event, "axis behind a hole that no length offset acts on, less position or level");
+      holding.zero(offset[i], event, "axis after a hole that no length offset acts on, less position or level");
   }
   if (s.c.setup.bit(5001, 0) || (b.length != 430 && b.length != 440) || length_codes(b) != 1 || !b.has('H') || !b.h)
     return;
@@ -77,7 +78,7 @@ void ask_offset(const FanucScene& s, std::size_t event, const FanucBlock& b, con
   const std::size_t axis = axes.index(s.c.setup.bit(5001, 1) ? across(b.plane) : 'Z');
   if (!value || axis == spec::Axes::kNone) return;
   holding.zero(offset[axis] - (b.length == 430 ? Real(*value) : -Real(*value)), event,
-               "axis behind a hole, less position or level and the offset of its block");
+               "axis after a hole, less position or level and the offset of its block");
 }
 
 // Where the axes stand, and in which block.
@@ -106,7 +107,7 @@ void hole_where_commanded(const FanucScene& s, Holding& holding) {
     for (std::size_t i = 0; i < s.c.setup.axes.size(); ++i)
       if (end.position.has(i) && s.events[end.event].programmed.has(i))
         holding.zero(s.events[end.event].programmed[i] - end.position[i], end.event,
-                     "programmed point behind a hole, less the commanded one");
+                     "programmed point after a hole, less the commanded one");
 }
 
 void hole_levels(const FanucScene& s, Holding& holding) {
@@ -161,7 +162,7 @@ void hole_axes(const FanucScene& s, Holding& holding) {
       for (std::size_t axis = 0; axis < s.c.setup.axes.size(); ++axis)
         if (offset->has(axis) && latest->value.has(axis))
           holding.zero((*offset)[axis] - latest->value[axis], i,
-                       "length offset at or behind a hole, less that before it");
+                       "length offset at or after a hole, less that before it");
     latest = Offset{block, hole, *offset};
   }
 }

@@ -15,7 +15,7 @@ void ask_hole(const spec::Axes& axes, const model::Event& event, std::size_t pla
       holding.zero(event.axes[i] - event.hole->level, place, "drilling axis, less the level, with offsets of zero");
     else if (event.point.has(i))
       holding.zero(event.axes[i] - event.point[i], place,
-                   "axis beside the drilling axis, less the position of the hole, with offsets of zero");
+                   "axis other than the drilling axis, less the position of the hole, with offsets of zero");
   }
 }
 

@@ -57,7 +57,7 @@ void touches_the_contact_plane(const KlartextScene& s, Holding& holding) {
     const Real r2 = dot(from_tip, move.tool);
     holding.zero(dot(contact->normal, contact->normal) - Real(1), move.index, "square of the normal, less 1");
     holding.zero(dot(move.tool, move.tool) - Real(1), move.index, "square of the tool axis, less 1");
-    holding.zero(from_tip - r2 * move.tool, move.index, "centre of the tool beside its axis");
+    holding.zero(from_tip - r2 * move.tool, move.index, "distance of the centre of the tool from its axis");
     std::optional<Real> ring;
     if (const auto& cutter = move.block->cutter; cutter && !cutter->by_angle) {
       holding.zero(r2 - cutter->effective_r2, move.index, "height of the centre over the tip, less the corner radius");
@@ -168,13 +168,15 @@ void cylinder_beside_the_line(const KlartextScene& s, Holding& holding) {
     const bool first = before->block->side == 0 || s.klartext.calls_tool(before->block->line, move->block->line);
     if (std::ranges::any_of(cross(move->tool, line), certainly_not_zero))
       holding.zero(dot(v, move->tool), i, "shift of the tip along the tool");
-    if (!first) beside(line, move->block->side, "cylinder beside the line before, times its length");
+    if (!first)
+      beside(line, move->block->side, "distance of the cylinder from the line before, times the length of the line");
     if (k + 1 == s.moves.size()) continue;
     const Move* next = &s.moves[k + 1];
     if (next->index != i + 1 || next->block->side == 0 || next->event->space->contact) continue;
     if (s.klartext.calls_tool(move->block->line, next->block->line)) continue;
     if (!first && !std::ranges::any_of(cross(move->tool, line), certainly_not_zero)) continue;
-    beside(next->programmed - move->programmed, next->block->side, "cylinder beside the line after, times its length");
+    beside(next->programmed - move->programmed, next->block->side,
+           "distance of the cylinder from the line after, times the length of the line");
   }
 }
 

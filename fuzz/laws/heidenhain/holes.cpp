@@ -27,7 +27,7 @@ void hole_where_programmed(const KlartextScene& s, Holding& holding) {
     const model::Event& event = s.events[hole.event];
     for (std::size_t i = 0; i < axes.size(); ++i) {
       if (i == hole.axis || !spec::is_linear_axis(axes.letter(i))) continue;
-      holding.holds(event.point.has(i), hole.event, "a hole has a position in every linear axis but the tool axis");
+      holding.holds(event.point.has(i), hole.event, "a hole has a position in every linear axis except the tool axis");
       if (event.point.has(i) && hole.position.has(i))
         holding.zero(event.point[i] - hole.position[i], hole.event, "position of the hole, less the programmed one");
     }
@@ -37,10 +37,10 @@ void hole_where_programmed(const KlartextScene& s, Holding& holding) {
     for (std::size_t i = 0; i < axes.size(); ++i) {
       if (!move.position.has(i)) continue;
       holding.holds(i != move.axis || event.programmed.has(i), move.event,
-                    "behind a hole it is known where the tool axis stands");
+                    "after a hole the position of the tool axis is known");
       if (event.programmed.has(i))
         holding.zero(event.programmed[i] - move.position[i], move.event,
-                     "programmed point behind a hole, less that of the words from the hole on");
+                     "programmed point after a hole, less that of the words from the hole on");
     }
   }
 }
@@ -61,7 +61,7 @@ void hole_by_its_parameters(const KlartextScene& s, Holding& holding) {
     if (cycle.second_clearance)
       holding.zero(
           hole.level - hole.point_r - Real(std::max(Rational(0), Rational(*cycle.second_clearance - *cycle.clearance))),
-          given.event, "level of return over the beginning, less what the second clearance is greater");
+          given.event, "level of return above the beginning, less the excess of the second clearance");
   }
 }
 
@@ -71,16 +71,16 @@ void hole_with_length(const KlartextScene& s, Holding& holding) {
     const model::Event& event = s.events[hole.event];
     for (std::size_t i = 0; i < axes.size(); ++i) {
       if (!spec::is_linear_axis(axes.letter(i))) continue;
-      holding.holds(event.axes.has(i), hole.event, "behind a hole all linear axes are known");
+      holding.holds(event.axes.has(i), hole.event, "after a hole all linear axes are known");
       if (i != hole.axis && event.axes.has(i) && event.point.has(i))
-        holding.zero(event.axes[i] - event.point[i], hole.event, "axis across the tool behind a hole, less its point");
+        holding.zero(event.axes[i] - event.point[i], hole.event, "axis across the tool after a hole, less its point");
     }
     ask_rotary(s, hole, holding);
     if (!event.axes.has(hole.axis)) continue;
     const Real length = event.axes[hole.axis] - event.hole->level;
     if (hole.block->cutter)
       holding.zero(length - hole.block->cutter->dl, hole.event,
-                   "tool axis behind a hole, less level of return and delta of the length");
+                   "tool axis after a hole, less level of return and delta of the length");
     if (hole.length)
       holding.zero(length - *hole.length, hole.event,
                    "tool axis less level of return, less tool axis less point of the move before");

@@ -29,7 +29,7 @@ void no_deltas(const spec::Case& c, std::span<const model::Event> events, const 
     const std::size_t place = std::min(i, events.size() - 1);
     if (event.hole && event.axes.has(event.hole->axis))
       holding.zero(event.axes[event.hole->axis] - event.hole->level, place,
-                   "tool axis behind a hole, less the level of return, with deltas of zero");
+                   "tool axis after a hole, less the level of return, with deltas of zero");
     if (event.kind != spec::EventKind::move || !event.space) continue;
     const auto point = xyz(c.setup.axes, event.point);
     const auto axes = xyz(c.setup.axes, event.axes);

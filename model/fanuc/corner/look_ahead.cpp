@@ -14,7 +14,7 @@ int blocks_read(const spec::Setup& setup) {
   if (setup.series != spec::Series::series_30i || !given) return 3;
   for (int blocks = 3; blocks <= 8; ++blocks)
     if (plain(*given) == blocks) return blocks;
-  throw spec::InputError("setup", 0, 0, "parameters.\"19625\": from 3 to 8 blocks are read");
+  throw spec::InputError("setup", 0, 0, "parameters.\"19625\": expected a number of blocks from 3 to 8");
 }
 
 namespace {

@@ -242,7 +242,7 @@ void CutterCompensationC::take_vector_for_a_time(Step& now) {
     // number 0 whose vector waits. A vector of length 0 is none.
     if (!is_zero(in_plane_of(said(now).plane, ahead_.here().front().vector)))
       ahead_.leave_open_at(now, Clause::fanuc_cutter_c_coordinate_shift_with_vector,
-                           "G52 or G92 where the tool stands at a vector of cutter compensation C");
+                           "G52 or G92 while the tool is at a vector of cutter compensation C");
     recorder().decide(Clause::fanuc_cutter_c_coordinate_shift, false);
   }
   go_on_without_vector();
@@ -304,7 +304,7 @@ void CutterCompensationC::end_standing(Clause why) {
   // before it are given as if it were absent.
   if (recorder().decide(Clause::fanuc_cutter_c_corner_arc_without_next_block, too_far)) {
     LeftOpen open(Clause::fanuc_cutter_c_corner_arc_without_next_block,
-                  "two blocks without motion behind a G39 without direction");
+                  "two blocks without motion after a G39 without direction");
     open.line = ahead_.held().front().step.line;
     open.n = ahead_.held().front().step.n;
     throw LeftOpen(open);

@@ -36,7 +36,7 @@ EdgeRules::EdgeRules(const spec::Setup& setup, Recorder& recorder) : recorder_(r
   const std::optional<spec::Decimal> given = setup.parameter(19631);
   const Rational degrees = given ? plain(*given) : Rational(1);
   if (degrees > 90 || degrees < -90)
-    throw spec::InputError("setup", 0, 0, "parameters.19631: an angle from -90 to 90 must stand here");
+    throw spec::InputError("setup", 0, 0, "parameters.19631: expected an angle from -90 to 90");
   exact_only_ = degrees <= 0;
   overlapping_ = degrees >= 45;
   // By the double angle, whose cosine is rational where the squares are.

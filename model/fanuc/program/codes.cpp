@@ -329,7 +329,7 @@ Codes read_codes(const spec::Block& block, const Words& words, const spec::Setup
   if (side && !codes.letters_are_data && words.has('I') && words.has('J') && words.has('K') &&
       setup.cutter_compensation == spec::CutterCompensationType::c)
     raise(recorder, Clause::fanuc_cutter_c_three_dimensional, AlarmCause::unknown_code,
-          "three-dimensional compensation is not built");
+          "three-dimensional cutter compensation is not supported");
   codes.writes_origin = codes.one_shot == OneShot::data && names_origin(words);
   // fanuc.memory.g10-kind: L of G10 says what G10 writes. In memory A it is L11; in memory B L10 for geometry, L11 for
   // wear; in memory C L10 and L11 for H, L12 and L13 for D. L1 is L11. L2 and L20 write workpiece origins

@@ -96,7 +96,7 @@ int ToolLengthMeasurement::sense(const Real& travel) const {
   const Sign ahead = travel.sign();
   if (recorder_.decide(Clause::fanuc_length_measurement_start_on_the_coordinate, ahead == Sign::zero))
     throw LeftOpen(Clause::fanuc_length_measurement_start_on_the_coordinate,
-                   "G37 starts on the commanded coordinate: there is no direction to measure in");
+                   "G37 starts on the commanded coordinate, so there is no direction in which to measure");
   return ahead == Sign::positive ? 1 : -1;
 }
 

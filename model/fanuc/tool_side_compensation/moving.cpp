@@ -118,7 +118,7 @@ void ToolSideCompensation::look_at_arc(Step& now, Movement& movement) {
   // plane, and the vector found there is added to the programmed point. The machine then runs the arc in the plane
   // selected by G17, G18 or G19.
   recorder().reach(Clause::fanuc_tool_side_arc);
-  constexpr const char* kOnEdge = "an arc whose plane holds the tool";
+  constexpr const char* kOnEdge = "an arc whose plane contains the tool direction";
   SideArc& arc = *movement.path.arc;
   for (std::size_t i = 0; i < movement.starts.size(); ++i) {
     if (!movement.starts[i]) continue;
@@ -131,7 +131,7 @@ void ToolSideCompensation::look_at_arc(Step& now, Movement& movement) {
   if (movement.starts.empty() || !movement.starts.back()) arc.sense_at_start = arc.sense_at_end;
   movement.end = arc_end(arc, 0);
   if (leans(before_, arc.plane) || leans(movement.own.tool(), arc.plane)) {
-    Warning warning{"ARC_PLANE_MISMATCH", "the tool does not stand at right angles to the plane of the arc", {}};
+    Warning warning{"ARC_PLANE_MISMATCH", "the tool is not at right angles to the plane of the arc", {}};
     warning.clauses.add(Clause::fanuc_tool_side_arc_plane_mismatch);
     now.warning = warning;
   }

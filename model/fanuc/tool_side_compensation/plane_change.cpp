@@ -11,7 +11,7 @@ Rational limit_angle(const spec::Setup& setup) {
   const std::optional<spec::Decimal> given = setup.parameter(6261);
   const Rational degrees = given ? plain(*given) : Rational(0);
   if (degrees < 0 || degrees > 180)
-    throw spec::InputError("setup", 0, 0, "parameters.6261: an angle from 0 to 180 must stand here");
+    throw spec::InputError("setup", 0, 0, "parameters.6261: expected an angle from 0 to 180");
   return degrees == 0 ? Rational(45) : degrees;
 }
 

@@ -195,7 +195,7 @@ std::optional<Motion> Interpreter::line(const Block& block, const Functions& fun
   // vector components with more than 8 decimals.
   if (recorder_.decide(Clause::heidenhain_program_many_digits, block.many_digits))
     motion.warnings.push_back(
-        {"W_DIGITS", "more digits than the control takes", Clause::heidenhain_program_many_digits});
+        {"W_DIGITS", "more digits than the control accepts", Clause::heidenhain_program_many_digits});
 
   const Vector before = position_.point();
   move_to_end(block, functions);

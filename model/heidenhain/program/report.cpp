@@ -95,7 +95,7 @@ void report_out_of_scope(const Motion& motion, EventSink& sink) {
   // ordinary compensation in the plane by the full radius, which is not modelled. In place of the move there is an
   // undecided event with the reason OUT_OF_SCOPE. The run goes on from the programmed end point.
   event.number = spec::info(Clause::heidenhain_peripheral_out_of_scope).id;
-  event.message = "radius compensation in the plane, RL or RR without TCPM, is not modelled";
+  event.message = "radius compensation in the plane (RL or RR without TCPM) is not modelled";
   event.out_of_scope = true;
   event.clauses = motion.clauses;
   event.unmade = unmade(motion);
@@ -116,7 +116,7 @@ void report_undecided(Recorder& recorder, const Place& current, EventSink& sink)
   Event event = event_of(spec::EventKind::undecided, here ? current : Place{recorder.line(), {}});
   event.number = spec::info(recorder.latest()).id;
   event.permitted = {true, true, true};
-  event.message = "a decision of this clause could not be certified";
+  event.message = "the sign of a decision by this clause could not be certified";
   event.clauses = recorder.take_clauses();
   sink.on(event);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One block of a FANUC program: words with exact decimals, and no meaning.
+// One block of a FANUC program: its words, with exact decimals, without their meaning.
 #pragma once
 
 #include <array>
@@ -21,14 +21,15 @@ struct Word {
   friend bool operator==(const Word& a, const Word& b) { return a.address == b.address && a.value == b.value; }
 };
 
-// What the control raises when it reaches a block it cannot read (docs/events.md, rule 5).
+// The alarm that the control raises when it reaches a block it cannot read (docs/events.md, rule 5).
 struct ReadAlarm {
   AlarmCause cause = AlarmCause::none;
   std::uint32_t column = 0;
   const char* message = "";  // static text
 };
 
-// Words in the order written. A block with a read alarm keeps the words before the fault; it is not executed.
+// The words in the order in which they are written. A block with a read alarm has the words before the fault, and is
+// not executed.
 struct Block {
   static constexpr std::size_t kMaxWords = 64;  // one more raises TOO_MANY_WORDS
 
@@ -41,7 +42,7 @@ struct Block {
   [[nodiscard]] std::span<const Word> words() const { return {word.data(), size}; }
 };
 
-// The text of a block, as the reader reads it back: "N30 G01 X10. Y-0". Without what follows a read alarm.
+// The block as text that the reader reads back: "N30 G01 X10. Y-0". Without the words after a read alarm.
 std::string to_string(const Block& block);
 
 }  // namespace toolcomp::spec

@@ -284,7 +284,7 @@ void BlockReader::skip_block() {
 // At the / that begins a block: the switch number, and the whole block where blocks are to be skipped.
 bool BlockReader::read_slash(Block& block) {
   if (block.size != 0 || block.n)
-    return raise(block, column(), AlarmCause::address_missing, "/ stands only at the head of a block");
+    return raise(block, column(), AlarmCause::address_missing, "/ is allowed only at the beginning of a block");
   started_ = true;
   take();
   const int byte = peek();
@@ -298,9 +298,9 @@ bool BlockReader::read_word(Block& block, char letter) {
   const std::uint32_t start = column();
   const Address& admitted = address_[static_cast<unsigned char>(letter)];
   if (!admitted.known)
-    return raise(block, start, AlarmCause::unknown_address, "this letter is no address of this control");
+    return raise(block, start, AlarmCause::unknown_address, "this letter is not an address of this control");
   if (letter != 'N' && block.size == Block::kMaxWords)
-    return raise(block, start, AlarmCause::too_many_words, "more words in the block than can be read");
+    return raise(block, start, AlarmCause::too_many_words, "the block has too many words");
   started_ = true;
   take();
   letter_ = letter;
@@ -336,13 +336,13 @@ bool BlockReader::read_name(Block& block) {
   const std::uint32_t start = column();
   const bool called = jump_ == Jump::call && block.size != 0 && block.word[block.size - 1].address == 'M';
   if (!called && (block.size != 0 || block.n))
-    return raise(block, start, AlarmCause::address_missing, "a name is no address");
+    return raise(block, start, AlarmCause::address_missing, "a program name in < > is not an address");
   started_ = true;
   take();
   name_size_ = 0;
   for (int byte = peek(); byte != '>'; byte = peek()) {
     if (byte == kEnd || byte == '\n' || byte < 0x20 || byte > 0x7E || name_size_ == kLongestName)
-      return raise(block, start, AlarmCause::address_missing, "a program name is 1 to 32 characters in < >");
+      return raise(block, start, AlarmCause::address_missing, "a program name must have 1 to 32 characters in < >");
     name_[name_size_++] = static_cast<char>(byte);
     take();
   }
@@ -368,7 +368,7 @@ bool BlockReader::read_number(Block& block, const Address& admitted, std::uint32
   for (;; take(), byte = peek()) {
     if (is_digit(byte)) {
       if (++digits > kMaxProgramDigits)
-        return raise(block, column(), AlarmCause::number_too_long, "a number of more than 15 digits");
+        return raise(block, column(), AlarmCause::number_too_long, "a number with more than 15 digits");
       value.digits = value.digits * 10 + static_cast<std::uint64_t>(byte - '0');
       value.decimals = static_cast<std::uint8_t>(value.decimals + (value.point ? 1 : 0));
     } else if (byte == '.') {
@@ -381,7 +381,7 @@ bool BlockReader::read_number(Block& block, const Address& admitted, std::uint32
     }
   }
   if (digits == 0) return raise(block, start, AlarmCause::digit_missing, "an address without a digit");
-  if (byte == '-' && value.negative) return raise(block, column(), AlarmCause::sign, "a second minus");
+  if (byte == '-' && value.negative) return raise(block, column(), AlarmCause::sign, "a second minus sign");
   return true;
 }
 
@@ -486,16 +486,16 @@ bool BlockReader::read_block(Block& block) {
         read_slash(block);
         break;
       case Kind::number:
-        raise(block, column(), AlarmCause::address_missing, "a number where an address must stand");
+        raise(block, column(), AlarmCause::address_missing, "expected an address, found a number");
         break;
       case Kind::sign:
-        raise(block, column(), AlarmCause::address_missing, "a sign where an address must stand");
+        raise(block, column(), AlarmCause::address_missing, "expected an address, found a sign");
         break;
       case Kind::other:
         if (byte == '#')
           read_assignment(block);
         else
-          raise(block, column(), AlarmCause::address_missing, "this character is no address");
+          raise(block, column(), AlarmCause::address_missing, "this character is not an address");
         break;
       case Kind::substitute:
         end_file();

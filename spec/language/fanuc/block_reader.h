@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The blocks of a piece of FANUC program text, one after the other as they stand there. ProgramReader puts them in the
-// order in which they run.
+// Reads the blocks of a piece of FANUC program text in the order of the text. ProgramReader puts them in the order in
+// which they run.
 #pragma once
 
 #include <array>
@@ -22,60 +22,60 @@
 
 namespace toolcomp::spec {
 
-// What an address admits.
+// What the number of an address may have.
 struct Address {
   bool known = false;
   bool sign = false;
   bool point = false;
 };
 
-// In constant memory, whatever the length of a line.
+// Needs constant memory, whatever the length of a line.
 class BlockReader {
  public:
-  // Where the program goes on after a block: M98, M99, G65. `keep`: the text from here on has to be kept, since it may
-  // be read again; no block has come.
+  // Where the program goes on after a block: M98, M99, G65. `keep`: the caller must keep the text from here on, because
+  // it may be read again; no block was read.
   enum class Jump : std::uint8_t { none, call, back, macro, keep };
-  // Of G65.
+  // The call of G65.
   struct MacroCall {
     std::uint32_t column = 1;
     std::uint64_t program = 0;
     MacroVariables::Values arguments;
   };
 
-  // `variables` are set and read by the text.
+  // The text sets and reads `variables`.
   BlockReader(std::unique_ptr<ByteSource> bytes, const Axes& axes, ReaderOptions options, MacroVariables& variables,
               std::uint64_t first_line = 1);
 
-  // The same of a text in memory, in which macro statements jump.
+  // The same for a text in memory, in which macro statements may jump.
   BlockReader(std::string_view text, const Axes& axes, ReaderOptions options, MacroVariables& variables,
               std::uint64_t first_line = 1);
 
-  // Begins anew, with another text, which must outlive its blocks.
+  // Begins again, with another text, which must outlive its blocks.
   void begin(std::string_view text, std::uint64_t first_line);
-  // From here on macro statements are passed over: nothing is set, and nothing jumps.
+  // From here on macro statements are skipped: no variable is set, and nothing jumps.
   void scan() { scanning_ = true; }
   // The next block with at least one word (or an alarm); false at the end of the text or at the `%` that ends it.
   // Throws InputError for bytes that are no text. Does not allocate.
   bool next(Block& block);
-  // To the next block with this sequence number, of a text in memory; false where there is none.
+  // Goes to the next block with this sequence number, in a text in memory; false if there is none.
   bool find(std::uint64_t sequence_number);
-  // Of the block read last, where it has no alarm.
+  // The jump of the block read last, if it has no alarm.
   [[nodiscard]] Jump jump() const { return jump_; }
   [[nodiscard]] bool calls() const { return jump_ == Jump::call || jump_ == Jump::macro; }
-  // The name in angle brackets behind its M98, or empty.
+  // The name in angle brackets after M98 in that block, or empty.
   [[nodiscard]] std::string_view called_name() const { return {name_.data(), name_size_}; }
 
-  // No further blocks.
+  // Ends the text: no further blocks.
   void end() { done_ = true; }
   // G65 of the block read last.
   [[nodiscard]] const MacroCall& macro_call() const { return macro_call_; }
-  // A word of the block read last has its number from a variable.
+  // Whether a word of the block read last has its number from a variable.
   [[nodiscard]] bool has_variables() const { return has_variables_; }
-  // The text behind the block read last, which is read no more from here; go_on() reads on in it, or in less of it, and
-  // jumps go no further back.
+  // The text after the block read last. This reader no longer reads it. go_on() continues in this text, or in a part of
+  // it, and jumps do not go back before it.
   std::string take_rest();
   void go_on(std::string_view text);
-  // Of what comes next.
+  // The line of the next block.
   [[nodiscard]] std::uint64_t line() const { return line_; }
 
  private:
@@ -89,18 +89,18 @@ class BlockReader {
     return kEnd;
   }
   void take() { ++position_; }
-  // The bytes from the one on that peek() shows, six at most.
+  // At most six bytes, beginning with the one that peek() shows.
   std::string_view ahead();
   bool refill();
   void start(std::unique_ptr<ByteSource> bytes, std::uint64_t first_line);
   void skip_byte_order_mark();
 
-  // Bytes taken up to one in the buffer, and so far.
+  // The number of bytes before a byte in the buffer, and before the next byte.
   [[nodiscard]] std::uint64_t offset_of(const char* at) const {
     return consumed_ + static_cast<std::uint64_t>(at - buffer_.data());
   }
   [[nodiscard]] std::uint64_t offset() const { return offset_of(position_); }
-  // Of a byte in the buffer, and of the one that peek() shows.
+  // The column of a byte in the buffer, and of the byte that peek() shows.
   [[nodiscard]] std::uint32_t column_of(const char* at) const;
   [[nodiscard]] std::uint32_t column() const { return column_of(position_); }
 
@@ -111,17 +111,19 @@ class BlockReader {
     std::uint64_t line_start = 0;
   };
 
-  // One block, up to and with what ends it; false if it has no word but N and no alarm.
+  // Reads one block, including its end; false if it has no word other than N and no alarm.
   bool read_block(Block& block);
-  // These return whether all is well; after a fault the rest of the block is behind.
+  // These return whether there was no fault. After a fault the rest of the block has been skipped.
   bool read_word(Block& block, char letter);
   bool read_number(Block& block, const Address& admitted, std::uint32_t start, Decimal& value);
-  // Of macros (macro_reader.cpp): #100, [#100+2.] after an address and its sign. What is not followed is not supported.
+  // Macros (macro_reader.cpp): #100, [#100+2.] after an address and its sign. An expression that toolcomp does not
+  // evaluate is not supported.
   bool read_macro(Block& block, const Address& admitted, std::uint32_t start, Decimal& value);
   [[nodiscard]] std::optional<Decimal> macro_word(const MacroValue& value, const Address& admitted) const;
-  // Statements: #100=5. IF WHILE DO END GOTO G65. Each is a block of its own, and none for those who take blocks.
+  // Statements: #100=5. IF WHILE DO END GOTO G65. Each is a block of the text, and the caller does not get it as a
+  // block.
   bool read_assignment(Block& block);
-  bool at_statement();  // but for #100=5.
+  bool at_statement();  // except #100=5.
   bool read_statement(Block& block);
   bool read_if(Block& block, std::uint32_t start);
   bool read_loop(Block& block, std::uint32_t start, bool condition, const Place& at);
@@ -129,38 +131,41 @@ class BlockReader {
   bool read_goto(Block& block, std::uint32_t start);
   bool read_macro_call(Block& block, std::uint32_t start);
   bool read_argument(Block& block);
-  // What stands before a statement, or the text from here on is to be kept first: no statement is read.
+  // False if something stands before the statement, or if the text from here on must be kept first. Then no statement
+  // is read.
   bool begins_statement(Block& block, std::uint32_t start);
   bool ends_statement();
-  // Letters from here on, five at most.
+  // At most five letters from here on.
   std::string_view read_letters();
   bool not_followed(Block& block, std::uint32_t start, const char* message);
-  // [a EQ b]; nothing where it is not followed.
+  // [a EQ b]; std::nullopt if toolcomp does not evaluate it.
   std::optional<bool> macro_condition();
-  // A sum of products up to `depth` brackets deep; nothing where it is anything else, or not known.
+  // A sum of products, with brackets up to `depth` deep; std::nullopt if it is anything else, or if a value is not
+  // known.
   std::optional<MacroValue> macro_sum(int depth);
   std::optional<MacroValue> macro_product(int depth);
   std::optional<MacroValue> macro_operand(int depth);
   std::optional<MacroValue> macro_number();
   std::optional<std::uint64_t> variable_number();  // after #
   std::optional<std::uint64_t> macro_integer(std::uint64_t most);
-  int next_of_macro();                  // peek() behind blanks
+  int next_of_macro();                  // peek() after blanks
   void note_code(const Decimal& code);  // G20, G21, G94, G95
 
   [[nodiscard]] Place here() const { return {offset(), line_, line_start_}; }
   void seek(const Place& place);
-  // False: more jumps than are followed.
+  // False if there were more jumps than toolcomp follows.
   bool jump(const Place& place);
-  // The block of this number that comes next, or else the first one.
+  // The next block with this number, or else the first one.
   std::optional<Place> place_of(std::uint64_t sequence_number);
   void find_numbers();
-  // Past END of this number; false where there is none.
+  // Goes past the END with this number; false if there is none.
   bool pass_loop(std::uint64_t number);
 
-  // The words from here on, a blank apart at most, as long as they have usual numbers. False: not even the first one.
+  // Reads words with at most a blank between them, as long as their numbers are of the usual form. False if the first
+  // one is not.
   bool read_usual_words(Block& block);
-  // The usual number without a detour, [-]digits[.digits] of at most seven each: where it ends; nullptr where it is or
-  // may be any other.
+  // Reads a number of the usual form, [-]digits[.digits] with at most seven digits each, and returns its end; nullptr
+  // if it is or may be any other number.
   [[nodiscard]] const char* read_usual(const char* at, const Address& admitted, Decimal& value) const;
   bool read_slash(Block& block);
   bool read_name(Block& block);

@@ -191,17 +191,17 @@ bool BlockReader::read_macro(Block& block, const Address& admitted, std::uint32_
   const auto found = macro_operand(kDeepestMacro);
   if (!found)
     return not_followed(block, start,
-                        variable ? "# (a macro variable that has no number here) is not supported"
-                                 : "[ (an expression of a macro that is not followed) is not supported");
+                        variable ? "# (a macro variable without a known value) is not supported"
+                                 : "[ (a macro expression that toolcomp does not evaluate) is not supported");
   const auto word = macro_word(negative ? negated(*found) : *found, admitted);
   if (!word)
-    return not_followed(block, start, "# (a macro variable whose number this address does not take) is not supported");
+    return not_followed(block, start, "# (a macro variable whose value this address does not accept) is not supported");
   value = *word;
   return true;
 }
 
 bool BlockReader::begins_statement(Block& block, std::uint32_t start) {
-  if (block.size != 0) return not_followed(block, start, "# (a macro statement behind other words) is not supported");
+  if (block.size != 0) return not_followed(block, start, "# (a macro statement after other words) is not supported");
   if (scanning_ || text_.data() != nullptr) return true;
   jump_ = Jump::keep;
   text_n_ = block.n;
@@ -225,9 +225,10 @@ bool BlockReader::read_assignment(Block& block) {
     value = macro_sum(kDeepestMacro);
   }
   if (!number || !value || !ends_statement())
-    return not_followed(block, start,
-                        "# (a macro statement other than a variable set to an expression that is followed) is not "
-                        "supported");
+    return not_followed(
+        block, start,
+        "# (a macro statement other than a variable set to an expression that toolcomp evaluates) is not "
+        "supported");
   if (!scanning_) variables_.set(*number, *value);
   return true;
 }
@@ -258,7 +259,8 @@ bool BlockReader::read_if(Block& block, std::uint32_t start) {
   const auto holds = macro_condition();
   if (!holds)
     return not_followed(block, start,
-                        "IF (a comparison that is not followed, or that the digits of the control decide) is not "
+                        "IF (a comparison that toolcomp does not evaluate, or whose result depends on the digits of "
+                        "the control) is not "
                         "supported");
   next_of_macro();
   const std::string word(read_letters());
@@ -276,11 +278,12 @@ bool BlockReader::read_if(Block& block, std::uint32_t start) {
 bool BlockReader::read_goto(Block& block, std::uint32_t start) {
   if (scanning_) return not_followed(block, start, "");
   const auto number = macro_integer(kMostSequenceNumber);
-  if (!number || !ends_statement()) return not_followed(block, start, "GOTO (of no whole number) is not supported");
+  if (!number || !ends_statement()) return not_followed(block, start, "GOTO (without a whole number) is not supported");
   const auto place = place_of(*number);
   if (!place)
-    return not_followed(block, start, "GOTO (no block of this number stands after the first macro) is not supported");
-  if (!jump(*place)) return not_followed(block, start, "GOTO (more jumps than are followed) is not supported");
+    return not_followed(block, start,
+                        "GOTO (no block after the first macro statement has this number) is not supported");
+  if (!jump(*place)) return not_followed(block, start, "GOTO (more jumps than toolcomp follows) is not supported");
   return true;
 }
 
@@ -290,7 +293,8 @@ bool BlockReader::read_loop(Block& block, std::uint32_t start, bool condition, c
   const std::optional<bool> holds = condition ? macro_condition() : true;
   if (!holds)
     return not_followed(block, start,
-                        "WHILE (a comparison that is not followed, or that the digits of the control decide) is not "
+                        "WHILE (a comparison that toolcomp does not evaluate, or whose result depends on the digits of "
+                        "the control) is not "
                         "supported");
   next_of_macro();
   if (condition && read_letters() != "DO") return not_followed(block, start, "WHILE (without DO) is not supported");
@@ -326,13 +330,13 @@ bool BlockReader::read_end(Block& block, std::uint32_t start) {
   }
   const std::optional<Place>& loop = loops_.at(*number - 1);
   if (!loop) return not_followed(block, start, "END (without DO) is not supported");
-  if (!jump(*loop)) return not_followed(block, start, "END (more jumps than are followed) is not supported");
+  if (!jump(*loop)) return not_followed(block, start, "END (more jumps than toolcomp follows) is not supported");
   return true;
 }
 
 // G65 P9012 X0. F160: the program of this number, with local variables of its own.
 bool BlockReader::read_macro_call(Block& block, std::uint32_t start) {
-  if (block.size != 0) return not_followed(block, start, "G65 (behind other words) is not supported");
+  if (block.size != 0) return not_followed(block, start, "G65 (after other words) is not supported");
   macro_call_ = {};
   macro_call_.column = start;
   while (!ends_statement() || peek() == '(') {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Programs in files beside one that calls them.
+// Called programs in files of the same folder.
 #pragma once
 
 #include <filesystem>
@@ -10,11 +10,11 @@
 
 namespace toolcomp::spec {
 
-// The file in `folder` that is named after a program ("O1000", or the name in < >): whatever the ending and the case of
-// its letters, with zeros before the number or not, with O or without. nullopt where there is none. Throws InputError
-// where there are two.
+// The file in `folder` that is named after a program ("O1000", or the name in < >). Its ending and the case of its
+// letters do not matter, nor do zeros before the number, nor whether the O is there. std::nullopt if there is no such
+// file. Throws InputError if there are two.
 std::optional<std::filesystem::path> file_beside(const std::filesystem::path& folder, std::string_view name);
-// The texts of the files that it finds.
+// Gives the texts of the files that file_beside finds.
 CalledProgram programs_beside(std::filesystem::path folder);
 
 }  // namespace toolcomp::spec

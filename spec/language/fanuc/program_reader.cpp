@@ -111,7 +111,7 @@ void ProgramReader::State::follow(Block& block) {
   }
   const Word* p = nullptr;
   for (const Word& word : block.words()) {
-    if (word.address == 'L') return refuse("M99 L (count of repetitions) is not supported");
+    if (word.address == 'L') return refuse("M99 L (number of repetitions) is not supported");
     if (word.address == 'P') p = &word;
   }
   if (p == nullptr || calls.empty()) {
@@ -129,7 +129,7 @@ void ProgramReader::State::return_to(Block& block, const Word& sequence_number) 
   const Decimal& number = sequence_number.value;
   if (number.decimals != 0 || number.negative || !reader().find(number.digits))
     block.alarm = ReadAlarm{AlarmCause::sequence_number_missing, sequence_number.column,
-                            "M99 P: no block behind the call has this sequence number"};
+                            "M99 P: no block after the call has this sequence number"};
 }
 
 void ProgramReader::State::keep(const std::string& program) {
@@ -149,11 +149,11 @@ void ProgramReader::State::call(Block& block, bool macro) {
   const std::optional<ProgramLibrary::Program> program = library->find(wanted.program);
   if (!program && macro) return fault(AlarmCause::not_supported, kMacroOfNoProgram);
   if (!program && reader().has_variables())
-    return fault(AlarmCause::not_supported, "# (the number of a program that is not there) is not supported");
-  if (wanted.program.empty()) return fault(AlarmCause::program_missing, "M98 without the number of a program");
-  if (!program) return fault(AlarmCause::program_missing, "M98: there is no program of this number");
+    return fault(AlarmCause::not_supported, "# (the number of a program that is missing) is not supported");
+  if (wanted.program.empty()) return fault(AlarmCause::program_missing, "M98 without a program number");
+  if (!program) return fault(AlarmCause::program_missing, "M98: there is no program with this number");
   if (calls.size() == kMostCalls)
-    return fault(AlarmCause::calls_too_deep, "more than 10 programs called one inside the other");
+    return fault(AlarmCause::calls_too_deep, "program calls are nested more than 10 deep");
   if (macro) variables.call(reader().macro_call().arguments);
   begin(calls.emplace_back(Call{*program, {}, wanted.times - 1, macro}));
 }
@@ -199,8 +199,8 @@ bool ProgramReader::next(Block& block) {
     too_many = ++state.repeated_blocks > state.options.most_repeated;
     if (too_many)
       block.alarm = ReadAlarm{AlarmCause::not_supported, 1,
-                              called ? "M98 (more blocks of programs called than are followed) is not supported"
-                                     : "GOTO (more blocks than are followed) is not supported"};
+                              called ? "M98 (more blocks of called programs than toolcomp runs) is not supported"
+                                     : "GOTO (more blocks than toolcomp runs) is not supported"};
   }
   if (state.reader().jump() != BlockReader::Jump::none && !block.alarm) [[unlikely]]
     state.follow(block);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// FANUC program text to blocks. Syntax only: modal and one-shot words are left uninterpreted.
+// Reads the blocks of FANUC program text. Only syntax: it does not interpret modal and one-shot words.
 #pragma once
 
 #include <memory>
@@ -13,8 +13,8 @@
 
 namespace toolcomp::spec {
 
-// Reads blocks one by one in the order in which they run: M98, M99 and custom macros are followed. In constant memory,
-// whatever the length of a line, up to the first M98 or macro statement; from there on the rest of the text is kept.
+// Reads blocks one by one in the order in which they run, following M98, M99 and custom macros. Needs constant memory,
+// whatever the length of a line, up to the first M98 or macro statement. From there on it keeps the rest of the text.
 // Reading rules: README.md of this folder.
 class ProgramReader {
  public:
@@ -24,8 +24,8 @@ class ProgramReader {
   ProgramReader& operator=(ProgramReader&&) noexcept;
 
   // The next block with at least one word (or an alarm) into `block`; false at the end of the text or at the `%` that
-  // ends it, behind M99 of the main program, and after too many blocks of programs called. Throws InputError for bytes
-  // that are no text. Allocates where a program is called or a macro statement stands, else not.
+  // ends it, after M99 of the main program, and after too many blocks of called programs. Throws InputError for bytes
+  // that are not text. Allocates only if a program is called or a macro statement is read.
   bool next(Block& block);
 
  private:
@@ -33,8 +33,9 @@ class ProgramReader {
   std::unique_ptr<State> state_;
 };
 
-// The text of a program and behind it that of each file it calls, as ReaderOptions::called_program gives them, in the
-// order of the calls in the text; as it is where it calls none. Blocks have the lines of this text.
+// The text of a program, followed by the text of each file that it calls, as ReaderOptions::called_program gives them,
+// in the order of the calls in the text. If it calls none, the text is unchanged. Blocks have the line numbers of this
+// text.
 std::string joined_program(std::string_view text, const Axes& axes, const ReaderOptions& options);
 
 }  // namespace toolcomp::spec

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program and all those it calls as one text.
+// Joins a program and all programs that it calls into one text.
 #pragma once
 
 #include <cstdint>
@@ -13,20 +13,21 @@
 
 namespace toolcomp::spec::klartext {
 
-// The file in this folder that a CALL PGM names, with or without the ending .h, in capitals or not. Nothing where there
-// is none, and for a name with a path.
+// The file in this folder that a CALL PGM names, with or without the ending .h, in upper or lower case. std::nullopt if
+// there is none, and for a name with a path.
 std::optional<std::filesystem::path> file_beside(const std::filesystem::path& folder, std::string_view name);
-// The texts of the files that it finds.
+// Gives the texts of the files that file_beside finds.
 CalledProgram programs_beside(std::filesystem::path folder);
 
-// The main text, and behind it the programs that it calls and does not hold itself, and those that they call: each
-// once, in the order of the first CALL PGM in the text that arises, as it is in its file. Lines count on. The
-// definition of a program that calls others is this text: the reader gives the same blocks, lines and columns for both.
-// A main text without END PGM gets one where others follow it; what is not found is left out.
+// The main text, followed by the programs that it calls and does not contain itself, and by the programs that they
+// call. Each program comes once, as it is in its file, in the order of the first CALL PGM in the joined text. Line
+// numbers continue. This text defines what a program that calls others means: the reader gives the same blocks, lines
+// and columns for both. A main text without END PGM gets one if programs follow it. Programs that are not found are
+// left out.
 std::string joined_klartext(std::string_view main_text, const CalledProgram& called);
 
-// The same for the rest of a main text, with the line in which it begins; `main` is its name, where BEGIN PGM stood
-// before.
+// The same for the rest of a main text, with the line in which it begins. `main` is its name, if BEGIN PGM came before
+// this rest.
 struct TextAt {
   std::string_view text;
   std::uint64_t line = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One logical block of a Klartext program: a statement with its words, exact decimals, and no meaning.
+// One logical block of a Klartext program: a statement with its words, with exact decimals, without their meaning.
 #pragma once
 
 #include <algorithm>
@@ -52,7 +52,7 @@ struct Parameter {
 };
 inline constexpr std::uint16_t kMostQ = 1999;
 inline constexpr std::uint16_t kMostLocal = 499;
-// What a call of a drilling cycle takes (heidenhain.program.cycle-call).
+// The parameters that a call of a drilling cycle uses (heidenhain.program.cycle-call).
 inline constexpr Parameter kSetUpClearance{ParameterKind::q, 200};
 inline constexpr Parameter kDepth{ParameterKind::q, 201};
 inline constexpr Parameter kSurface{ParameterKind::q, 203};
@@ -84,17 +84,17 @@ enum class Retraction : std::uint8_t { none, by, to_limit };  // M140 MB n, M140
 
 enum class ToolWord : std::uint8_t { none, number, name, string_parameter };
 
-// What the control raises when it reaches a block it cannot read (docs/events.md, rule 5).
+// The alarm that the control raises when it reaches a block it cannot read (docs/events.md, rule 5).
 struct ReadAlarm {
   AlarmCause cause = AlarmCause::none;
-  std::uint64_t line = 0;  // of the text: of the fault; behind a continuation not that of the block
+  std::uint64_t line = 0;  // line of the fault in the text; after a continuation it is not the line of the block
   std::uint32_t column = 0;
   const char* message = "";  // static text
 };
 
-// A value of a member counts only where the statement has it and its mask or kind says so: the reader writes nothing
-// else, so a block may keep old values elsewhere. A block with a read alarm is not executed; its statement is that of
-// the initiator, or `miscellaneous`.
+// A member has a meaning only if the statement has it and its mask or kind says so. The reader writes nothing else, so
+// other members may keep old values. A block with a read alarm is not executed; its statement is that of the initiator,
+// or `miscellaneous`.
 struct Block {
   static constexpr std::size_t kMostFunctions = 4;  // one more raises E_TOO_MANY_M
 
@@ -114,24 +114,24 @@ struct Block {
   bool has_tool_vector = false;
   std::array<Decimal, 3> normal;
   std::array<Decimal, 3> tool_vector;
-  bool many_digits = false;  // L, LN: more digits than the control takes (W_DIGITS)
+  bool many_digits = false;  // L, LN: more digits than the control accepts (W_DIGITS)
 
   // L, LN; the feed of TOOL CALL too
   RadiusWord radius = RadiusWord::none;
   FeedWord feed = FeedWord::none;
-  Value feed_value;  // of f, f_z, f_u
+  Value feed_value;  // value of f, f_z, f_u
 
   // L, LN, STOP, M alone: M functions in the order written
   std::uint8_t functions = 0;
   std::array<std::uint16_t, kMostFunctions> function{};
 
-  // L, M alone: M99 or CYCL CALL, of the drilling cycle defined last
+  // L, M alone: M99 or CYCL CALL; it calls the drilling cycle defined last
   bool calls_cycle = false;
 
   // L: M140, in a block without axis words
   Retraction retraction = Retraction::none;
   Value retraction_by;
-  bool departs = false;  // DEP LT, LN or CT, of which the words say no end
+  bool departs = false;  // DEP LT, LN or CT, whose words do not give the end point
 
   // TOOL CALL
   ToolWord tool = ToolWord::none;
@@ -153,8 +153,8 @@ struct Block {
 
   // LBL, CALL LBL: the digits of a number, or a name with its quotes. LBL 0 ends a subprogram.
   Name label;
-  std::uint16_t repeats = 0;  // CALL LBL: of REP; 0: a subprogram
-  bool jumps = false;         // LBL, CALL LBL: the next block is not the one behind it
+  std::uint16_t repeats = 0;  // CALL LBL: the number of REP; 0: a subprogram
+  bool jumps = false;         // LBL, CALL LBL: the next block is not the next one of the text
   Name program;               // CALL PGM, BEGIN PGM, END PGM: the name as written, without quotes
 
   [[nodiscard]] bool departs_from_contour() const { return statement == Statement::line && departs; }
@@ -165,8 +165,8 @@ struct Block {
   [[nodiscard]] bool is_incremental(std::size_t slot) const { return (incremental >> slot & 1U) != 0; }
 };
 
-// A text that the reader reads back to the same block, block number included. What blocks do not keep (the corners of
-// BLK FORM, the text of cycles, …) is the least that the grammar admits.
+// A text that the reader reads back to the same block, including the block number. Parts that a block does not keep
+// (the corners of BLK FORM, the text of cycles, …) are as short as the grammar permits.
 std::string to_string(const Block& block);
 std::string to_string(const Value& value);
 

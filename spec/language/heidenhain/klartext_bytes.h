@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which bytes a Klartext program may have. Internal to the reader.
+// Checks the bytes of a Klartext program. Internal to the reader.
 #pragma once
 
 #include <cstdint>
@@ -7,19 +7,19 @@
 
 namespace toolcomp::spec::klartext {
 
-// Takes the bytes of a logical block one by one. Throws InputError at the first that is no text: a control character,
-// or one from 0x80 that stands neither in a comment or string nor in a minus sign (U+2212, U+2013).
+// Takes the bytes of a logical block one by one. Throws InputError at the first byte that is not text: a control
+// character, or a byte from 0x80 on outside a comment, a string and a minus sign (U+2212, U+2013).
 class ByteCheck {
  public:
-  // `any`: a structure block or a program name, where every byte from 0x80 may stand.
+  // `any`: a structure block or a program name, in which every byte from 0x80 on is permitted.
   ByteCheck(const std::string& file, std::uint64_t line, bool any) : file_(file), line_(line), any_(any) {}
 
   void take(char character);
   // The byte order mark that a text may begin with.
   void take_byte_order_mark() { column_ += 3; }
-  // The line goes on in the next one: its last byte but blanks is a ~.
+  // Whether the line continues in the next one: its last byte, without blanks, is a ~.
   [[nodiscard]] bool is_continued() const { return last_ == '~'; }
-  // Of the byte that comes next.
+  // The line of the next byte.
   [[nodiscard]] std::uint64_t line() const { return line_; }
 
  private:
@@ -37,7 +37,7 @@ class ByteCheck {
   bool in_string_ = false;
   Minus minus_ = Minus::none;
   std::uint64_t minus_column_ = 0;
-  char last_ = 0;  // of this line, blanks apart
+  char last_ = 0;  // last byte of this line other than a blank
 };
 
 }  // namespace toolcomp::spec::klartext

@@ -27,11 +27,11 @@ const char* BlockParser::label_word(Block& block, const char* at) {
     at = quoted(block, at, name);
     if (at == nullptr) return nullptr;
     if (name.empty() || name.size() > kLongestLabel)
-      return raise(block, word, AlarmCause::syntax, "the name of a label has 1 to 32 characters");
+      return raise(block, word, AlarmCause::syntax, "the name of a label must have 1 to 32 characters");
     block.label = std::string_view(word, name.size() + 2);
     return at;
   }
-  if (upper(*at) == 'Q') return refuse(block, word, "LBL Q (a label by a parameter) is not supported");
+  if (upper(*at) == 'Q') return refuse(block, word, "LBL Q (a label given by a parameter) is not supported");
   std::uint64_t number = 0;
   at = read_integer(at, kMostLabel, number);
   if (at == nullptr || !at_word_end(at)) return bad_word(block, word);
@@ -54,13 +54,13 @@ const char* BlockParser::called_label(Block& block, const char* at) {
   const char* const word = at;
   at = label_word(block, at);
   if (at == nullptr) return nullptr;
-  if (block.label == "0") return raise(block, word, AlarmCause::syntax, "LBL 0 is the end of subprograms");
+  if (block.label == "0") return raise(block, word, AlarmCause::syntax, "LBL 0 ends a subprogram; it cannot be called");
   if (upper(at[0]) != 'R' || upper(at[1]) != 'E' || upper(at[2]) != 'P') return at;
   const char* const repeat = at;
   at += 3;
   if (at_word_end(at)) at = gap(at);
   if (at == text_.stop) return at;  // nothing was entered
-  if (upper(*at) == 'Q') return refuse(block, at, "REP Q (a number of repeats by a parameter) is not supported");
+  if (upper(*at) == 'Q') return refuse(block, at, "REP Q (a number of repeats given by a parameter) is not supported");
   std::uint64_t count = 0;
   std::uint64_t left = 0;
   at = read_integer(at, kMostRepeats, count);
@@ -86,7 +86,7 @@ const char* BlockParser::called_program(Block& block, const char* at) {
   }
   if (name.empty()) return bad_word(block, word);
   if (name.size() > Name::kCapacity)
-    return raise(block, word, AlarmCause::syntax, "the name of a program has 63 characters at most");
+    return raise(block, word, AlarmCause::syntax, "the name of a program must have at most 63 characters");
   block.program = name;
   return at;
 }

@@ -46,7 +46,7 @@ void Calls::make_programs() {
 std::optional<TextPlace> Calls::next(Block& block, TextPlace at, TextPlace behind) {
   if (++blocks_ > most_blocks_) {
     raise(block, AlarmCause::not_supported,
-          "CALL (more blocks by calls and repeats than are followed) is not supported");
+          "CALL (more blocks in calls and repeats than toolcomp runs) is not supported");
     return std::nullopt;
   }
   if (block.alarm) return behind;
@@ -78,7 +78,7 @@ std::optional<TextPlace> Calls::place_of_label(Block& block) {
   if (found == labels.end())
     raise(block, AlarmCause::label_missing, "there is no such label in this program");
   else if (found->second.size() > 1)
-    raise(block, AlarmCause::label_twice, "this label stands in the program more than once");
+    raise(block, AlarmCause::label_twice, "the program has this label more than once");
   else
     return found->second.front();
   return {};
@@ -97,7 +97,7 @@ TextPlace Calls::subprogram(Block& block, TextPlace behind) {
           frames_, [&](const Frame& frame) { return frame.program == program && frame.label == block.label.view(); }))
     raise(block, AlarmCause::label_recursion, "a subprogram calls itself");
   else if (depth(true) == kDeepest)
-    raise(block, AlarmCause::nesting, "more than 19 subprograms in each other");
+    raise(block, AlarmCause::nesting, "subprograms are nested more than 19 deep");
   if (block.alarm) return behind;
   block.jumps = true;
   frames_.push_back({behind, program, std::string(block.label.view()), {}});
@@ -143,7 +143,7 @@ TextPlace Calls::program(Block& block, TextPlace behind) {
   const std::string_view name = block.program.view();
   if (name.find_first_of("/\\:") != std::string_view::npos) {
     raise(block, AlarmCause::called_program_missing,
-          "a program is called by its name alone; it stands beside this one");
+          "a program is called by its name without a path; its file must be in the same folder as this program");
     return behind;
   }
   const std::string key = program_key(name);
@@ -151,13 +151,13 @@ TextPlace Calls::program(Block& block, TextPlace behind) {
   const std::optional<std::size_t> called = find(key);
   const auto is_called = [&](const Frame& frame) { return frame.label.empty() && frame.program == called; };
   if (!called)
-    raise(block, AlarmCause::called_program_missing, "there is no program that begins with BEGIN PGM and this name");
+    raise(block, AlarmCause::called_program_missing, "no program begins with BEGIN PGM and this name");
   else if (std::ranges::any_of(frames_, is_called))
     raise(block, AlarmCause::program_recursion, "a program calls itself");
   else if (!programs_[*called].ends)
-    raise(block, AlarmCause::called_program_missing, "the program called has no END PGM");
+    raise(block, AlarmCause::called_program_missing, "the called program has no END PGM");
   else if (depth(false) == kDeepest)
-    raise(block, AlarmCause::nesting, "more than 19 programs in each other");
+    raise(block, AlarmCause::nesting, "program calls are nested more than 19 deep");
   else if (programs_[*called].units != main_.units)
     raise(block, AlarmCause::not_supported,
           "CALL PGM (of a program in other units than the main program) is not supported");

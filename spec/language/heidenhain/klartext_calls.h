@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Programs in programs: which block comes next. Order of text alone, so that both engines may rest on it. Internal to
-// the reader.
+// Calls and repeats of programs: which block comes next. This is only about the order of the text, so that both engines
+// may share it. Internal to the reader.
 #pragma once
 
 #include <cstddef>
@@ -18,30 +18,30 @@
 
 namespace toolcomp::spec::klartext {
 
-// A text from its first LBL or CALL on, with the calls and repeats under way.
+// A text from its first LBL or CALL on, with the active calls and repeats.
 class Calls {
  public:
-  // What stands before the text.
+  // What the reader knows from before the text.
   struct Main {
-    std::string name;  // of BEGIN PGM; empty: there was none
+    std::string name;  // name of BEGIN PGM; empty if there was none
     Units units = Units::mm;
-    std::uint64_t line = 1;  // of the first block of the text
+    std::uint64_t line = 1;  // line of the first block of the text
   };
-  // Setup and options must outlive it.
+  // Setup and options must outlive this object.
   Calls(const Setup& setup, const ReaderOptions& options, std::string text, Main main);
 
-  // The text, and kBehindText bytes behind it. It may grow with next(); places stay.
+  // The text, followed by kBehindText bytes. It may grow in next(); places stay valid.
   [[nodiscard]] char* data() { return text_.data(); }
   [[nodiscard]] std::size_t size() const { return text_.size() - kBehindText; }
 
-  // The place of the block behind the one that was read `at` this place and ends `behind` it; nothing at the end of the
-  // program. Completes the block: `jumps`, program_return, alarms of calls (README.md of the language).
+  // The place of the block to run after the one that begins at `at` and ends at `behind`; std::nullopt at the end of
+  // the program. Completes the block: `jumps`, program_return, alarms of calls (README.md of the language).
   std::optional<TextPlace> next(Block& block, TextPlace at, TextPlace behind);
 
  private:
-  // A label by its name; more than one place: it stands there twice.
+  // The places of each label, by its name. More than one place means that the program has the label more than once.
   using Labels = std::map<std::string, std::vector<TextPlace>, std::less<>>;
-  // From behind its BEGIN PGM to its END PGM, without which it cannot be called.
+  // A program, from the end of its BEGIN PGM to its END PGM. Without END PGM it cannot be called.
   struct Program {
     std::string key;
     Units units = Units::mm;
@@ -49,12 +49,12 @@ class Calls {
     bool ends = false;
     Labels labels;
   };
-  // A call under way; the first is the main program.
+  // An active call. The first one is the main program.
   struct Frame {
     TextPlace back;
     std::size_t program = 0;
-    std::string label;                             // of a subprogram; empty: a program
-    std::map<std::size_t, std::uint32_t> repeats;  // still to come, by the place of CALL LBL
+    std::string label;                             // label of a subprogram; empty for a program
+    std::map<std::size_t, std::uint32_t> repeats;  // repeats that are left, by the place of CALL LBL
   };
 
   void make_programs();
@@ -63,10 +63,11 @@ class Calls {
   TextPlace repeat(Block& block, TextPlace at, TextPlace behind);
   TextPlace program(Block& block, TextPlace behind);
   std::optional<TextPlace> end(Block& block);
-  // The one place of the label that the block calls; nothing, with an alarm, where there is none or are two.
+  // The place of the label that the block calls; std::nullopt, with an alarm, if there is no such label or more than
+  // one.
   std::optional<TextPlace> place_of_label(Block& block);
   [[nodiscard]] std::optional<std::size_t> find(std::string_view key) const;
-  // Adds the files. `behind` moves behind the end of its line, where the text broke off in it.
+  // Adds the files. If the text broke off inside a line, `behind` moves after the end of that line.
   void join(TextPlace& behind);
   [[nodiscard]] std::size_t depth(bool subprograms) const;
 

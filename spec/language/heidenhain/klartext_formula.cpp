@@ -82,7 +82,8 @@ class Reader {
                                           : operation == '/' ? quotient(*a, *b)
                                           : operation == '-' ? sum(*a, negated(*b))
                                                              : sum(*a, *b);
-    return result ? result : refuse(at_, "Q = (a formula whose value is no decimal of 18 digits) is not supported");
+    return result ? result
+                  : refuse(at_, "Q = (a formula whose value is not a decimal of at most 18 digits) is not supported");
   }
 
   std::optional<Decimal> sum_of_products(int depth) {
@@ -105,7 +106,7 @@ class Reader {
   std::optional<Decimal> operand(int depth) {
     blanks();
     if (*at_ == '(') {
-      if (depth == 0) return refuse(at_, "( (too deep in a formula) is not supported"), fail();
+      if (depth == 0) return refuse(at_, "( (nested too deep in a formula) is not supported"), fail();
       ++at_;
       const std::optional<Decimal> inner = sum_of_products(depth - 1);
       blanks();

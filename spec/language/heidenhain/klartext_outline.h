@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of a text in memory matters to calls: LBL, CALL PGM, BEGIN PGM and END PGM, in the order of the text. Internal
-// to the reader.
+// The blocks of a text in memory that matter for calls: LBL, CALL PGM, BEGIN PGM and END PGM, in the order of the text.
+// Internal to the reader.
 #pragma once
 
 #include <cstddef>
@@ -13,15 +13,15 @@
 
 namespace toolcomp::spec::klartext {
 
-// Where a block begins in a text: bytes before it, and its line.
+// The place at which a block begins in a text: the number of bytes before it, and its line.
 struct TextPlace {
   std::size_t offset = 0;
   std::uint64_t line = 1;
 };
 
-// A block longer than this, its line feed included, cannot be read.
+// A block longer than this, including its line feed, cannot be read.
 inline constexpr std::size_t kLongestBlock = 65536;
-// Bytes behind a text that the parser may look at.
+// Number of bytes after a text that the parser may look at.
 inline constexpr std::size_t kBehindText = 64;
 
 struct OutlineEntry {
@@ -32,10 +32,10 @@ struct OutlineEntry {
   TextPlace behind;
 };
 
-// The entries from `from` on. Blocks that cannot be read have none, nor have those that the setup skips.
+// The entries from `from` on. Blocks that cannot be read have no entry, and blocks that the setup skips have none.
 std::vector<OutlineEntry> outline(const Setup& setup, const std::string& text, TextPlace from);
 
-// What a program is called by: capitals, without the ending .H.
+// The key by which a program is called: upper case, without the ending .H.
 std::string program_key(std::string_view name);
 
 }  // namespace toolcomp::spec::klartext

@@ -207,7 +207,8 @@ const char* BlockParser::line(Block& block, const char* at) {
   if ((axes & kRotarySlots) != 0) [[unlikely]] {
     turned_ = turned_ || turns(block);
     if ((axes & incremental & renamed_) != 0)
-      return raise(block, initiator, AlarmCause::not_judged, "M94 (whole turns of rotary axes) is not judged");
+      return raise(block, initiator, AlarmCause::not_judged,
+                   "M94 (removal of whole turns of rotary axes) is not judged");
     renamed_ &= ~axes;
   }
   at = tail(block, at);
@@ -263,7 +264,8 @@ const char* BlockParser::check_vectors(Block& block, unsigned keys, const char* 
     return (vector[0].digits | vector[1].digits | vector[2].digits) == 0;
   };
   if (out_of_order_ != nullptr)
-    return raise(block, out_of_order_, AlarmCause::vector_order, "the order is X Y Z, NX NY NZ, TX TY TZ, each once");
+    return raise(block, out_of_order_, AlarmCause::vector_order,
+                 "the order must be X Y Z, NX NY NZ, TX TY TZ, each once");
   if ((keys & kCoordinates) != kCoordinates)
     return raise(block, initiator, AlarmCause::vector_coordinates, "LN needs X, Y and Z");
   if ((block.has_normal && (keys & kNormal) != kNormal) ||
@@ -272,7 +274,7 @@ const char* BlockParser::check_vectors(Block& block, unsigned keys, const char* 
   if (!block.has_normal && !block.has_tool_vector)
     return raise(block, initiator, AlarmCause::syntax, "LN needs a vector, NX NY NZ or TX TY TZ");
   if (out_of_range_ != nullptr)
-    return raise(block, out_of_range_, AlarmCause::vector_range, "a component beyond 9.99999999");
+    return raise(block, out_of_range_, AlarmCause::vector_range, "a vector component is larger than 9.99999999");
   if (block.has_normal && is_zero(block.normal))
     return raise(block, normal_, AlarmCause::vector_zero, "the vector has no direction");
   if (block.has_tool_vector && is_zero(block.tool_vector))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One logical block of a Klartext program, all of it in memory, to a Block: the grammar. Internal to the reader.
+// The grammar: turns one logical block of a Klartext program, all of it in memory, into a Block. Internal to the
+// reader.
 #pragma once
 
 #include <array>
@@ -15,55 +16,56 @@
 
 namespace toolcomp::spec::klartext {
 
-// Where a block stands in memory: a line feed at `stop` ends it, and kDigitsRead bytes behind that can be read.
+// The place of a block in memory. A line feed at `stop` ends it, and kDigitsRead bytes after that can be read.
 struct BlockText {
   const char* begin = nullptr;
   const char* stop = nullptr;
-  std::uint64_t line = 1;  // of the text: its first
-  std::size_t mark = 0;    // bytes of a byte order mark that `begin` stands behind
+  std::uint64_t line = 1;  // first line of the block in the text
+  std::size_t mark = 0;    // number of bytes of a byte order mark before `begin`
 };
 
-// Functions that take a place and return one return the place behind what they read, or nothing after they have
-// attached an alarm to the block.
+// Functions that take a place return the place after what they have read, or nullptr after they have attached an alarm
+// to the block.
 class BlockParser {
  public:
   // Both must outlive the parser; `file` is for messages.
   BlockParser(const Setup& setup, const std::string& file);
 
-  // What stands before the statement.
+  // What comes before the statement.
   struct Head {
-    const char* statement = nullptr;  // nothing: the head has a fault, and the block an alarm
+    const char* statement = nullptr;  // nullptr: the head has a fault, and the block has an alarm
     bool slash = false;
   };
   // Writes line, column, n and alarm of the block.
   Head parse_head(Block& block, const BlockText& text);
-  // False where there is none but comments, or a structure block: nothing to return.
+  // False if there is nothing but comments or a structure block: then there is no block to return.
   bool parse_statement(Block& block, const char* at);
-  // A block longer than can be read.
+  // Refuses a block that is too long to be read.
   void refuse_long(Block& block, const char* statement);
 
-  // Bytes were passed over: comments, strings, and all of a block with a fault.
+  // Whether bytes were skipped: comments, strings, and the rest of a block with a fault.
   [[nodiscard]] bool passed_over() const { return passed_over_; }
-  // A structure block or a program name.
+  // Whether the statement is a structure block or has a program name.
   [[nodiscard]] bool admits_any_byte(const char* statement) const;
-  // END PGM was read.
+  // Whether END PGM was read.
   [[nodiscard]] bool ended() const { return ended_; }
-  // BEGIN PGM of the program, as far as it was read.
+  // The name in BEGIN PGM, if it was read.
   [[nodiscard]] const Name& program_name() const { return program_name_; }
   [[nodiscard]] Units units() const { return units_; }
-  // BEGIN PGM may stand in the next block.
+  // Permits BEGIN PGM in the next block.
   void begin() { first_ = true; }
 
  private:
   static constexpr std::uint8_t kNoSlot = 255;
 
-  // The next word or the end of the block: behind blanks, comments, and line ends where the block goes on.
+  // The next word or the end of the block, after blanks, comments, and line ends at which the block continues.
   const char* gap(const char* at) {
     if (*at == ' ') ++at;
     return at_word_end(at) ? wide_gap(at) : at;
   }
   const char* wide_gap(const char* at);
-  // Behind one word, or two with a gap between them; nothing, without an alarm, where others stand.
+  // The place after one word, or after two words with a gap between them; nullptr, without an alarm, if there are other
+  // words.
   const char* words(const char* at, std::string_view first, std::string_view second = {});
 
   struct Place {
@@ -72,12 +74,12 @@ class BlockParser {
   };
   [[nodiscard]] Place place(const char* at) const;
   const char* raise(Block& block, const char* at, AlarmCause cause, const char* message);
-  // Not supported.
+  // Attaches an alarm: not supported.
   const char* refuse(Block& block, const char* at, const char* message);
-  // The same where the statement is one of those that have a name, else E_SYNTAX.
+  // The same if the statement has a name in the list of what is not supported, otherwise E_SYNTAX.
   const char* refuse_by_name(Block& block, const char* at);
   const char* bad_word(Block& block, const char* at);
-  // The end of the block, and no fault that waited for it.
+  // Checks that the block ends here, and that no fault was kept for its end.
   const char* finish(Block& block, const char* at);
 
   const char* line(Block& block, const char* at);
@@ -111,7 +113,7 @@ class BlockParser {
   const char* path_cycle(Block& block, const char* at);
   const char* drilling_cycle(Block& block, const char* at);
   const char* cycle_call(Block& block, const char* at);
-  // What keeps the call of a cycle in the block at hand from being followed: a static text, or nothing.
+  // Why the call of a cycle in this block is not followed: a static text, or nullptr if it is.
   [[nodiscard]] const char* call_beyond(const Block& block) const;
   const char* datum_shift(Block& block, const char* at);
   const char* transformation(Block& block, const char* at);
@@ -130,7 +132,7 @@ class BlockParser {
   const char* call(Block& block, const char* at);
   const char* called_label(Block& block, const char* at);
   const char* called_program(Block& block, const char* at);
-  // A value behind a key of this length, and the gap behind it.
+  // Reads a value after a key of this length, and the gap after the value.
   const char* keyed_value(Block& block, const char* at, std::size_t key, Value& value);
   const char* quoted(Block& block, const char* at, std::string_view& text);
   const char* free_text();
@@ -144,17 +146,17 @@ class BlockParser {
   bool ended_ = false;
   Name program_name_;
   Units units_;
-  bool turned_ = false;          // a rotary axis was sent elsewhere than to 0
-  unsigned renamed_ = 0;         // by slot: M94 may have taken whole turns from the position of this axis
+  bool turned_ = false;          // a rotary axis was sent to a position other than 0
+  unsigned renamed_ = 0;         // by slot: M94 may have removed whole turns from the position of this axis
   bool tcpm_ = false;            // TCPM is on
-  bool begins_in_tcpm_ = false;  // it was before the block at hand
+  bool begins_in_tcpm_ = false;  // TCPM was on before this block
   bool beside_ = false;          // RL or RR
-  bool lateral_ = false;         // and TCPM has been on since
+  bool lateral_ = false;         // RL or RR, and TCPM has been on since then
   ParameterValues parameters_;
-  bool unknown_ = false;         // one of them has no value here
+  bool unknown_ = false;         // a value is not known here
   std::uint32_t to_call_ = 0;    // the machining cycle defined last
-  std::optional<Value> preset_;  // the number selected first
-  // Words of the block at hand that are at fault if no other is.
+  std::optional<Value> preset_;  // the number that was selected first
+  // Words of this block that are at fault if no other word is.
   const char* call_at_ = nullptr;  // M99, CYCL CALL
   const char* fifth_function_ = nullptr;
   const char* out_of_order_ = nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Klartext program text to blocks. Syntax only: what the words mean is left to the engines.
+// Reads the blocks of Klartext program text. Only syntax: the engines decide what the words mean.
 #pragma once
 
 #include <memory>
@@ -14,15 +14,15 @@ namespace toolcomp::spec::klartext {
 // Reads logical blocks one by one in constant memory. Reading rules: README.md of this folder.
 class Reader {
  public:
-  // The setup gives the axes, whether blocks with / are skipped, and the rows of the correction table. Of the options,
-  // the name of the file counts.
+  // The setup gives the axes, whether blocks with / are skipped, and the rows of the correction table. Of the options
+  // only the name of the file is used.
   Reader(std::unique_ptr<ByteSource> source, const Setup& setup, ReaderOptions options = {});
   ~Reader();
   Reader(Reader&&) noexcept;
   Reader& operator=(Reader&&) noexcept;
 
   // The next block that is neither empty nor a comment nor a structure block, into `block`; false at the end of the
-  // text or behind END PGM. Throws InputError for bytes that are no text and for correction rows that do not exist.
+  // text or after END PGM. Throws InputError for bytes that are not text and for correction rows that do not exist.
   // Does not allocate.
   bool next(Block& block);
 

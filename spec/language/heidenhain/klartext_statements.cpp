@@ -128,7 +128,7 @@ const char* BlockParser::program(Block& block, const char* at) {
   if (at == nullptr) return bad_word(block, initiator);
   block.statement = begun != nullptr ? Statement::begin_program : Statement::end_program;
   if (block.statement == Statement::begin_program && !first_)
-    return raise(block, initiator, AlarmCause::syntax, "BEGIN PGM stands only in the first block");
+    return raise(block, initiator, AlarmCause::syntax, "BEGIN PGM is allowed only in the first block");
   passed_over_ = true;
   if (at == text_.stop) return bad_word(block, at);
   const char* const name = at;
@@ -198,7 +198,7 @@ const char* BlockParser::tool_name(Block& block, const char* at) {
     at = quoted(block, at, name);
     if (at == nullptr) return nullptr;
     if (name.empty() || name.size() > kLongestName)
-      return raise(block, word, AlarmCause::syntax, "a tool name has 1 to 32 characters");
+      return raise(block, word, AlarmCause::syntax, "a tool name must have 1 to 32 characters");
     block.tool = ToolWord::name;
     block.tool_name = name;
     return at;
@@ -443,15 +443,15 @@ const char* BlockParser::call_beyond(const Block& block) const {
                      (block.statement == Statement::line && !block.departs && block.retraction == Retraction::none);
   if (!plain) return "M99 (cycle call, in a block other than L and M functions) is not supported";
   if (!is_drilling_cycle(to_call_))
-    return either("M99 (cycle call, of another cycle than a drilling cycle) is not supported",
-                  "CYCL CALL (of another cycle than a drilling cycle) is not supported");
+    return either("M99 (cycle call, of a cycle other than a drilling cycle) is not supported",
+                  "CYCL CALL (of a cycle other than a drilling cycle) is not supported");
   if (beside_ || tcpm_ || begins_in_tcpm_)
     return either("M99 (cycle call, under RL, RR or TCPM) is not supported",
                   "CYCL CALL (under RL, RR or TCPM) is not supported");
   const std::optional<Decimal> by_diameter = parameters_.value(kByDiameter);
   if (to_call_ == kCentering && (!by_diameter || !by_diameter->is_zero()))
-    return either("M99 (cycle call, of cycle 240 by a diameter) is not supported",
-                  "CYCL CALL (of cycle 240 by a diameter) is not supported");
+    return either("M99 (cycle call, of cycle 240 by diameter) is not supported",
+                  "CYCL CALL (of cycle 240 by diameter) is not supported");
   for (const Parameter& parameter : {kDepth, kSetUpClearance, kSurface, kSecondClearance})
     if (!parameters_.value(parameter)) return "Q (set by FN 18) is not supported";
   const std::optional<Decimal> depth = parameters_.value(kDepth);

@@ -24,7 +24,7 @@ constexpr auto kStatements = std::to_array<Named>({
     {"CHF", "", "CHF (chamfer) is not supported"},
     {"CONTOUR", "DEF", "CONTOUR DEF is not supported"},
     {"CP", "", "CP (polar coordinates, helix) is not supported"},
-    {"CR", "", "CR (circle by its radius) is not supported"},
+    {"CR", "", "CR (circle by radius) is not supported"},
     {"CT", "", "CT (tangential circle) is not supported"},
     {"CTP", "", "CTP (tangential circle, polar coordinates) is not supported"},
     {"DECLARE", "STRING", "DECLARE STRING (string parameters) is not supported"},
@@ -94,7 +94,7 @@ constexpr auto kFunctions = std::to_array<Numbered>({
 // Those after which positions are not known.
 constexpr auto kNotJudged = std::to_array<Numbered>({
     {114, "M114 (compensation of the machine geometry) is not judged"},
-    {124, "M124 (points that are left out) is not judged"},
+    {124, "M124 (suppression of points) is not judged"},
     {144, "M144 (compensation of the kinematics) is not judged"},
 });
 // Those that change corners of RL and RR, which have a path here under TCPM alone.
@@ -113,7 +113,7 @@ constexpr auto kCycles = std::to_array<Numbered>({
     {26, "CYCL DEF 26 (scaling by axis) is not supported"},
     {220, "CYCL DEF 220 (pattern on a circle) is not supported"},
     {221, "CYCL DEF 221 (pattern on lines) is not supported"},
-    {224, "CYCL DEF 224 (pattern of a code) is not supported"},
+    {224, "CYCL DEF 224 (pattern of a DataMatrix code) is not supported"},
     {800, "CYCL DEF 800 (turning: rotary coordinate system) is not supported"},
 });
 
@@ -318,7 +318,7 @@ const char* BlockParser::path_cycle(Block& block, const char* at) {
         Value number;
         if (std::string_view(at, 4) == "Q339" && at[4] == '=' && read_value(at + 5, number) != nullptr &&
             !is_first_preset(number))
-          return raise(block, at, AlarmCause::not_judged, "CYCL DEF 247 (another preset than the first) is not judged");
+          return raise(block, at, AlarmCause::not_judged, "CYCL DEF 247 (a preset other than the first) is not judged");
         at = word_end(at);
       }
       return free_text();
@@ -340,7 +340,7 @@ const char* BlockParser::preset(Block& block, const char* at) {
   Value number;
   if (*at == '#' && read_value(at + 1, number) != nullptr) {
     if (!is_first_preset(number))
-      return raise(block, at, AlarmCause::not_judged, "PRESET SELECT (another preset than the first) is not judged");
+      return raise(block, at, AlarmCause::not_judged, "PRESET SELECT (a preset other than the first) is not judged");
   } else if (*at != '"') {
     return bad_word(block, at);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Letters, numbers and values of a Klartext text. Every function takes the place of what it is to read and returns the
-// place behind it, or nothing where something else stands. Internal to the reader.
+// Reads letters, numbers and values of a Klartext text. Every function takes a place and returns the place after what
+// it has read, or nullptr if something else is there. Internal to the reader.
 #pragma once
 
 #include <array>
@@ -13,12 +13,13 @@
 
 namespace toolcomp::spec::klartext {
 
-// A program may be written in small letters.
+// A program may be written in lower case.
 constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
-// What can stand behind a word: a blank, a comment, the end of the line, or the ~ with which it goes on.
+// The characters that may follow a word: a blank, the begin of a comment, the end of the line, or the ~ of a
+// continuation.
 inline constexpr std::array<bool, 256> kEndsWords = [] {
   std::array<bool, 256> ends{};
   for (const char c : std::string_view(" \t\r\n;~")) ends[static_cast<unsigned char>(c)] = true;
@@ -26,14 +27,14 @@ inline constexpr std::array<bool, 256> kEndsWords = [] {
 }();
 inline bool at_word_end(const char* at) { return kEndsWords[static_cast<unsigned char>(*at)]; }
 
-// The word, given in capitals.
+// Reads this word, which is given in upper case.
 inline const char* read_word(const char* at, std::string_view word) {
   for (const char c : word)
     if (upper(*at++) != c) return nullptr;
   return at_word_end(at) ? at : nullptr;
 }
 
-// + or a minus sign, where one stands; always a place.
+// Reads + or a minus sign, if there is one. Never nullptr.
 inline const char* read_sign(const char* at, bool& negative) {
   const char c = *at;
   negative = c == '-';
@@ -45,7 +46,7 @@ inline const char* read_sign(const char* at, bool& negative) {
   return at;
 }
 
-// Digits of any number up to Decimal::kMaxDigits, without sign.
+// Reads a number of up to Decimal::kMaxDigits digits, without sign.
 inline const char* read_long_number(const char* at, Decimal& value) {
   int count = 0;
   int decimals = 0;
@@ -93,7 +94,7 @@ inline const char* read_number(const char* at, Decimal& value) {
   return point;
 }
 
-// Digits alone, of a number up to `most`.
+// Reads digits only, of a number up to `most`.
 inline const char* read_integer(const char* at, std::uint64_t most, std::uint64_t& value) {
   value = 0;
   const char* const first = at;
@@ -116,14 +117,14 @@ inline const char* read_parameter(const char* at, Parameter& parameter) {
   return end;
 }
 
-// Behind the word, or behind a ~ that joins no lines.
+// The place after the word, or after a ~ that does not join lines.
 inline const char* word_end(const char* at) {
   if (*at == '~') return at + 1;
   while (!at_word_end(at)) ++at;
   return at;
 }
 
-// A number, or a parameter with or without sign; blanks may stand before it and behind its sign.
+// Reads a number, or a parameter with or without sign. Blanks are permitted before it and after its sign.
 inline const char* read_value(const char* at, Value& value) {
   if (const char* const end = read_number(at, value.number)) [[likely]] {
     value.parameter = {};

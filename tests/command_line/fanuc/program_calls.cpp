@@ -34,10 +34,10 @@ TEST_P(FanucPrograms, WhatIsNotSupportedSaysItsNameAndPlace) {
   const Row rows[] = {
       {"N10 G98 G68 X1 R2", "p.nc:2:9: G68 (coordinate system rotation) is not supported", "G68"},
       {"G68 X0 Y0 R45.", "p.nc:2:1: G68 (coordinate system rotation) is not supported", "G68"},
-      {"  X#1", "p.nc:2:3: # (a macro variable that has no number here) is not supported", "#"},
+      {"  X#1", "p.nc:2:3: # (a macro variable without a known value) is not supported", "#"},
       {"G01 X1 ,R5", "p.nc:2:8: ,R (corner rounding) is not supported", ",R"},
       {"X1 G77.7", "PS0010 there is no such G code", ""},
-      {"N5 M98 P7", "p.nc:2:4: PS0076 M98: there is no program of this number", ""},
+      {"N5 M98 P7", "p.nc:2:4: PS0076 M98: there is no program with this number", ""},
   };
   for (const auto& [block, said, code] : rows) {
     const Outcome outcome = run(std::string("G80 G69 X1\n") + block + "\nX9\n");
@@ -47,7 +47,7 @@ TEST_P(FanucPrograms, WhatIsNotSupportedSaysItsNameAndPlace) {
     EXPECT_EQ(outcome.events().back().at("kind"), beyond ? "not_supported" : "alarm") << block;
     EXPECT_EQ(outcome.events().back().value("code", ""), code);
     EXPECT_NE(outcome.err.find(said), std::string::npos) << outcome.err;
-    EXPECT_EQ(outcome.err.find("not looked at: 1 block after it") != std::string::npos, beyond) << outcome.err;
+    EXPECT_EQ(outcome.err.find("not run: 1 block after it") != std::string::npos, beyond) << outcome.err;
   }
 }
 

@@ -44,7 +44,7 @@ TEST(Macros, NumbersOfWords) {
   EXPECT_EQ(blocks("N10 #1=3\nD#1 H#1 F[#1*100]\n"), "2 D3 H3 F300.\n");
   EXPECT_EQ(blocks("#1=2.5\nX#1 (of five)\n"), "2 X2.5\n");
   EXPECT_EQ(blocks("X1\n#1=2\nX#1\n#1=#1/4\nX#1"), "1 X1\n3 X2.\n5 X.5\n") << "anywhere";
-  const std::string not_taken = " # (a macro variable whose number this address does not take) is not supported\n";
+  const std::string not_taken = " # (a macro variable whose value this address does not accept) is not supported\n";
   EXPECT_EQ(blocks("#1=2.5\nD#1"), "2:1" + not_taken);
   EXPECT_EQ(blocks("#1=-2\nH#1"), "2:1" + not_taken);
 }
@@ -56,7 +56,7 @@ TEST(Macros, TheControlRoundsWordsOfLengthsAndAngles) {
   EXPECT_EQ(blocks("X[10/3]", told(4)), "1 X3.3333\n");
   EXPECT_EQ(blocks("G20\nX[10/3] A[10/3]"), "1 G20\n2 X3.3333 A3.333\n") << "inches have one decimal more";
   EXPECT_EQ(blocks("X[TAN[45]] Y[ABS[-2]] Z[FIX[2.7]+FUP[2.1]+ROUND[2.5]]"), "1 X1. Y2. Z8.\n");
-  const std::string not_taken = " # (a macro variable whose number this address does not take) is not supported\n";
+  const std::string not_taken = " # (a macro variable whose value this address does not accept) is not supported\n";
   EXPECT_EQ(blocks("X[1/3]", told(0)), "1:1" + not_taken) << "nobody knows the increments";
   EXPECT_EQ(blocks("F[1/3]"), "1:1" + not_taken);
   EXPECT_EQ(blocks("X[0.0005]"), "1:1" + not_taken) << "half an increment: its rounding is not said";
@@ -81,17 +81,19 @@ TEST(Macros, Jumps) {
   EXPECT_EQ(blocks("IF[1 EQ 1] #2=9"), "1:1 IF (without GOTO or THEN) is not supported\n");
   EXPECT_EQ(blocks("#1=1\nIF[#1 EQ 1] THEN #2=9\nIF[#1 EQ 2] THEN #2=8\nX#2"), "4 X9.\n");
   EXPECT_EQ(blocks("N1 #1=#2"),
-            "1:4 # (a macro statement other than a variable set to an expression that is followed) is not supported\n");
+            "1:4 # (a macro statement other than a variable set to an expression that toolcomp evaluates) is not "
+            "supported\n");
   EXPECT_EQ(blocks("N1 X1\n#1=1\nGOTO 1"),
-            "1 N1 X1\n3:1 GOTO (no block of this number stands after the first macro) is not supported\n");
+            "1 N1 X1\n3:1 GOTO (no block after the first macro statement has this number) is not supported\n");
   EXPECT_EQ(blocks("N3 #1=0\nX1\n#1=1\nIF[#1NE1]GOTO3\nY1"), "2 X1\n5 Y1\n");
-  EXPECT_EQ(blocks("N1 GOTO 1"), "1:4 GOTO (more jumps than are followed) is not supported\n") << "an endless loop";
+  EXPECT_EQ(blocks("N1 GOTO 1"), "1:4 GOTO (more jumps than toolcomp follows) is not supported\n") << "an endless loop";
 }
 
 // 0.1 has no end in binary digits: whether three of it are 0.3 is the business of the control.
 TEST(Macros, ComparisonsThatTheControlDecides) {
   const std::string undecided =
-      " IF (a comparison that is not followed, or that the digits of the control decide) is not supported\n";
+      " IF (a comparison that toolcomp does not evaluate, or whose result depends on the digits of the control) is not "
+      "supported\n";
   EXPECT_EQ(blocks("IF[0.1+0.1+0.1 EQ 0.3]GOTO1\nN1 X1"), "1:1" + undecided);
   EXPECT_EQ(blocks("IF[0.1 EQ 0.10]GOTO1\nX2\nN1 X1"), "3 N1 X1\n") << "as it is written";
   EXPECT_EQ(blocks("IF[0.5+0.25 EQ 0.75]GOTO1\nX2\nN1 X1"), "3 N1 X1\n");
@@ -112,8 +114,8 @@ TEST(Macros, Calls) {
   EXPECT_EQ(blocks("#100=2\nG65 P#100 Z1.\nM30\nO2\n#100=#26\nM99"), "4 O2\n6 M99\n3 M30\n");
   EXPECT_EQ(blocks("G65 P2 X10\nM30\nO2\nM99"), "1:8 G65 (an argument without a decimal point) is not supported\n");
   EXPECT_EQ(blocks("G65 P2 I1. I2.\nM30\nO2\nM99"), "1:1 G65 (with this argument) is not supported\n");
-  EXPECT_EQ(blocks("N1 G65 P3"), "1:4 G65 (macro call of a program that is not there) is not supported\n");
-  EXPECT_EQ(blocks("#1=3\nM98 P#1"), "2:1 # (the number of a program that is not there) is not supported\n");
+  EXPECT_EQ(blocks("N1 G65 P3"), "1:4 G65 (macro call of a program that is missing) is not supported\n");
+  EXPECT_EQ(blocks("#1=3\nM98 P#1"), "2:1 # (the number of a program that is missing) is not supported\n");
   EXPECT_EQ(blocks("#1=0\nWHILE[#1LT2]DO1\n#1=#1+1\nM98P2\nEND1\nM30\nO2\nX#1\nM99"),
             "4 M98 P2\n7 O2\n8 X1.\n9 M99\n4 M98 P2\n7 O2\n8 X2.\n9 M99\n6 M30\n");
 }
@@ -129,7 +131,7 @@ TEST(Macros, InSmallPieces) {
 
 TEST(Macros, RepeatedBlocksAreCounted) {
   const std::string said = blocks("#1=0\nWHILE[#1LT1000]DO1\n#1=#1+1\nX1\nY1\nEND1");
-  EXPECT_TRUE(said.ends_with(" GOTO (more blocks than are followed) is not supported\n"))
+  EXPECT_TRUE(said.ends_with(" GOTO (more blocks than toolcomp runs) is not supported\n"))
       << said.substr(said.size() - 90);
 }
 

@@ -39,7 +39,7 @@ TEST(NotSupported, CodesSayTheirName) {
   EXPECT_EQ(said("G98 G84.2 Z-5 R2 F100"), "5 G84.2 (rigid tapping, a canned cycle) is not supported");
   EXPECT_EQ(said("N10 g068.2X0Y0Z0I0J0K0"), "5 G68.2 (tilted working plane) is not supported");
   EXPECT_EQ(said("G68.20"), "1 G68.2 (tilted working plane) is not supported");
-  EXPECT_EQ(said("N1 G65 P9000"), "4 G65 (macro call of a program that is not there) is not supported");
+  EXPECT_EQ(said("N1 G65 P9000"), "4 G65 (macro call of a program that is missing) is not supported");
   EXPECT_EQ(said("G66 P9000"), "1 G66 (modal macro call) is not supported");
   EXPECT_EQ(said("G90 G16"), "5 G16 (polar coordinate command) is not supported");
   EXPECT_EQ(said("G68 G51"), "1 G68 (coordinate system rotation) is not supported") << "the first one";
@@ -54,17 +54,18 @@ TEST(NotSupported, CodesSayTheirName) {
 }
 
 TEST(NotSupported, MacrosSayTheirName) {
-  EXPECT_EQ(said("G01 X5 #1=5"), "8 # (a macro statement behind other words) is not supported");
-  EXPECT_EQ(said("#100 = SIN[#101]"),
-            "1 # (a macro statement other than a variable set to an expression that is followed) is not supported");
+  EXPECT_EQ(said("G01 X5 #1=5"), "8 # (a macro statement after other words) is not supported");
+  EXPECT_EQ(
+      said("#100 = SIN[#101]"),
+      "1 # (a macro statement other than a variable set to an expression that toolcomp evaluates) is not supported");
   for (const char* text : {"#0=1", "#50=1", "#1000=1", "#3006=1", "#1=5/0", "#1 5", "#1=", "#1=#2", "#1=1 X5", "#1=[2"})
     EXPECT_NE(said(text).find(" is not supported"), std::string::npos) << text << ": " << said(text);
-  const std::string none = " # (a macro variable that has no number here) is not supported";
+  const std::string none = " # (a macro variable without a known value) is not supported";
   EXPECT_EQ(said("G01 X#1 Y5"), "5" + none);
   EXPECT_EQ(said("N#1"), "1" + none);
   EXPECT_EQ(said("G01 X-#1"), "5" + none);
-  EXPECT_EQ(said("G01 X[1/3]"), "5 # (a macro variable whose number this address does not take) is not supported");
-  EXPECT_EQ(said("G01 X[LN[2]]"), "5 [ (an expression of a macro that is not followed) is not supported");
+  EXPECT_EQ(said("G01 X[1/3]"), "5 # (a macro variable whose value this address does not accept) is not supported");
+  EXPECT_EQ(said("G01 X[LN[2]]"), "5 [ (a macro expression that toolcomp does not evaluate) is not supported");
   for (const char* text : {"POPEN", "DPRNT[X#1]"})
     EXPECT_NE(said(text).find(" (a macro statement) is not supported"), std::string::npos)
         << text << ": " << said(text);

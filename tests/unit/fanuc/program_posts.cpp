@@ -32,11 +32,15 @@ const std::map<std::string, NotSupported> kNotSupported = {
     {"bolt_circle_polar", {"G16", "G16 (polar coordinate command) is not supported"}},
     {"corner_rounding", {",R5", ",R (corner rounding) is not supported"}},
     {"hand_loop_while",
-     {"WHILE", "WHILE (a comparison that is not followed, or that the digits of the control decide) is not supported"}},
+     {"WHILE",
+      "WHILE (a comparison that toolcomp does not evaluate, or whose result depends on the digits of the control) is "
+      "not supported"}},
     {"head_jump",
-     {"IF", "IF (a comparison that is not followed, or that the digits of the control decide) is not supported"}},
+     {"IF",
+      "IF (a comparison that toolcomp does not evaluate, or whose result depends on the digits of the control) is not "
+      "supported"}},
     {"mirror_image", {"G51.1", "G51.1 (programmable mirror image) is not supported"}},
-    {"nx_probing_macro", {"G65", "G65 (macro call of a program that is not there) is not supported"}},
+    {"nx_probing_macro", {"G65", "G65 (macro call of a program that is missing) is not supported"}},
     {"nx_tilted_plane", {"G68.2", "G68.2 (tilted working plane) is not supported"}},
 };
 

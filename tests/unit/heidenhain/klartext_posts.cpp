@@ -36,7 +36,7 @@ const std::map<std::string, Unsupported> kUnsupported = {
     {"jump_to_label_99", {"FN 9", "FN 9 (jump if equal) is not supported"}},
     {"probing_and_probe_header_tnc7", {"TCH PROBE", "TCH PROBE (touch probe cycles) is not supported"}},
     {"rotation_cycle_10", {"ROT+35", "CYCL DEF 10 (rotation) is not supported"}},
-    {"second_preset_tnc640", {"Q339=+2", "CYCL DEF 247 (another preset than the first) is not judged"}},
+    {"second_preset_tnc640", {"Q339=+2", "CYCL DEF 247 (a preset other than the first) is not judged"}},
 };
 
 // The first block of which something is not supported.

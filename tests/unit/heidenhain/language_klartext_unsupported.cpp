@@ -37,7 +37,7 @@ TEST(KlartextUnsupported, StatementsSayTheirName) {
   EXPECT_EQ(said("chf 2\n"), "1:1 CHF (chamfer) is not supported");
   EXPECT_EQ(said("L X1\n  APPR LCT X+5 Y+5 R2\n"), "2:3 APPR (approach of a contour) is not supported");
   EXPECT_EQ(said("LP PR+10 PA+30\n"), "1:1 LP (polar coordinates) is not supported");
-  EXPECT_EQ(said("CYCL CALL M3\n"), "1:1 CYCL CALL (of another cycle than a drilling cycle) is not supported");
+  EXPECT_EQ(said("CYCL CALL M3\n"), "1:1 CYCL CALL (of a cycle other than a drilling cycle) is not supported");
   EXPECT_EQ(said("PLANE RELATIV SPB45 TURN\n"), "1:1 PLANE RELATIV (tilted working plane) is not judged");
   EXPECT_EQ(said("FUNCTION MODE TURN\n"), "1:1 FUNCTION MODE (other than MILL) is not supported");
   EXPECT_EQ(said("TRANS MIRROR AXIS X\n"), "1:1 TRANS MIRROR is not supported");
@@ -65,7 +65,8 @@ TEST(KlartextUnsupported, ArithmeticAndJumps) {
   EXPECT_EQ(said("Q1 = SIN 30\n"), "1:6 SIN (in a formula) is not supported");
   EXPECT_EQ(said("Q1 = 2 * SQRT 2\n"), "1:10 SQRT (in a formula) is not supported");
   EXPECT_EQ(said("Q1 = 2 ^ 3\n"), "1:11 ^ (in a formula) is not supported");
-  EXPECT_EQ(said("Q1 = 1 / 3\n"), "1:11 Q = (a formula whose value is no decimal of 18 digits) is not supported");
+  EXPECT_EQ(said("Q1 = 1 / 3\n"),
+            "1:11 Q = (a formula whose value is not a decimal of at most 18 digits) is not supported");
   EXPECT_EQ(said("QS1 = \"A\"\n"), "1:1 QS (string parameters) is not supported");
   EXPECT_EQ(said("Q1 = -Q2 ; - 1\n"), "read");
   EXPECT_EQ(said("Q1 = ( 2 + 3\n"), "E_SYNTAX@1:6");
@@ -91,10 +92,10 @@ TEST(KlartextUnsupported, ContoursBesideThePath) {
         "L X1 RL\nDEP CT CCA180 R+8 M9", "M128\nL X1 RL\nM129\nL R0\nL X2 RL\nDEP LT LEN10", "L X1 RL\nRND R5 F20",
         "L X1 RL\nCHF 2", "CC X+0 Y+0", "CC"})
     EXPECT_EQ(said(text), "read") << text;
-  EXPECT_EQ(said("L X1 R0\nCR X+5 Y+5 R10 DR+\n"), "2:1 CR (circle by its radius) is not supported");
-  EXPECT_EQ(said("L X1 RL\nCR X+5 Y+5 R10 DR+ R0\n"), "2:1 CR (circle by its radius) is not supported");
-  EXPECT_EQ(said("M128\nL X1 RL\nCR X+5 Y+5 R10 DR+\n"), "3:1 CR (circle by its radius) is not supported");
-  EXPECT_EQ(said("L X1 RL\nCR R10 DR+\n"), "2:1 CR (circle by its radius) is not supported");
+  EXPECT_EQ(said("L X1 R0\nCR X+5 Y+5 R10 DR+\n"), "2:1 CR (circle by radius) is not supported");
+  EXPECT_EQ(said("L X1 RL\nCR X+5 Y+5 R10 DR+ R0\n"), "2:1 CR (circle by radius) is not supported");
+  EXPECT_EQ(said("M128\nL X1 RL\nCR X+5 Y+5 R10 DR+\n"), "3:1 CR (circle by radius) is not supported");
+  EXPECT_EQ(said("L X1 RL\nCR R10 DR+\n"), "2:1 CR (circle by radius) is not supported");
   EXPECT_EQ(said("L X1 RL\nCR X+5 YO R10 DR+\n"), "E_SYNTAX@2:8");
   EXPECT_EQ(said("APPR PLT PR+5 PA+5 LEN10 RL\n"), "1:1 APPR (approach of a contour) is not supported");
   EXPECT_EQ(said("DEP LT LEN10\n"), "1:1 DEP (departure from a contour) is not supported");
@@ -115,27 +116,27 @@ TEST(KlartextUnsupported, MFunctions) {
   EXPECT_EQ(said("L M140\n"), "E_SYNTAX@1:7");
   EXPECT_EQ(said("L M140 MB\n"), "E_SYNTAX@1:8");
   EXPECT_EQ(said("L M140 MB MIN\n"), "E_SYNTAX@1:8");
-  EXPECT_EQ(said("L X1 M3 M99\n"), "1:9 M99 (cycle call, of another cycle than a drilling cycle) is not supported");
+  EXPECT_EQ(said("L X1 M3 M99\n"), "1:9 M99 (cycle call, of a cycle other than a drilling cycle) is not supported");
   EXPECT_EQ(said("M89\n"), "1:1 M89 (cycle call after every block) is not supported");
   const std::string cycle = "CYCL DEF 200 DRILLING Q200=2 Q201=-5\n";
   EXPECT_EQ(said(cycle + "L X1 M99\n"), "read");
   EXPECT_EQ(said(cycle + "CYCL CALL M3\n"), "read");
   EXPECT_EQ(said(cycle + "CYCL DEF 32.0 TOLERANCE\nM99\n"), "read") << "a cycle that nobody calls";
   EXPECT_EQ(said(cycle + "CYCL DEF 251 POCKET Q201=-5\nM99\n"),
-            "3:1 M99 (cycle call, of another cycle than a drilling cycle) is not supported");
+            "3:1 M99 (cycle call, of a cycle other than a drilling cycle) is not supported");
   EXPECT_EQ(said(cycle + "L X1 RL M99\n"), "2:9 M99 (cycle call, under RL, RR or TCPM) is not supported");
   EXPECT_EQ(said("M128\n" + cycle + "CYCL CALL\n"), "3:1 CYCL CALL (under RL, RR or TCPM) is not supported");
   EXPECT_EQ(said("M128\n" + cycle + "L X1 M129 M99\n"), "3:11 M99 (cycle call, under RL, RR or TCPM) is not supported");
   EXPECT_EQ(said(cycle + "Q201 = 5\nCYCL CALL\n"), "3:1 CYCL CALL (with a depth above the surface) is not supported");
   EXPECT_EQ(said(cycle + "CYCL CALL PAT FMAX\n"), "2:11 CYCL CALL (POS, PAT) is not supported");
   EXPECT_EQ(said("CYCL DEF 240 CENTERING Q343=1 Q201=-5\nM99\n"),
-            "2:1 M99 (cycle call, of cycle 240 by a diameter) is not supported");
+            "2:1 M99 (cycle call, of cycle 240 by diameter) is not supported");
   EXPECT_EQ(said(cycle + "LN X1 Y1 Z1 NX0 NY0 NZ1 M99\n"),
             "2:25 M99 (cycle call, in a block other than L and M functions) is not supported");
   EXPECT_EQ(said("CYCL DEF 200 Q200=\n"), "E_SYNTAX@1:14");
   EXPECT_EQ(said("L X1 M144\n"), "1:6 M144 (compensation of the kinematics) is not judged");
   EXPECT_EQ(said("M114\n"), "1:1 M114 (compensation of the machine geometry) is not judged");
-  EXPECT_EQ(said("M124 T0.1\n"), "1:1 M124 (points that are left out) is not judged");
+  EXPECT_EQ(said("M124 T0.1\n"), "1:1 M124 (suppression of points) is not judged");
   for (const char* text : {"M3 M8", "M13", "M25", "M116", "M118 X1 Y1", "M126 M127", "M136", "M138 A C", "L X1 M91",
                            "M103 F20", "L X1 M130"})
     EXPECT_EQ(said(text), "read") << text;
@@ -158,7 +159,7 @@ TEST(KlartextUnsupported, MFunctionsOfCorners) {
 TEST(KlartextUnsupported, WholeTurns) {
   for (const char* text : {"M94 C\nL C+10", "M94 C\nL C+10\nL IC+10", "M94\nL X1", "L IC+10\nM94 C"})
     EXPECT_EQ(said(text), "read") << text;
-  EXPECT_EQ(said("M94 C\nL X1\nL IC+10\n"), "3:1 M94 (whole turns of rotary axes) is not judged");
+  EXPECT_EQ(said("M94 C\nL X1\nL IC+10\n"), "3:1 M94 (removal of whole turns of rotary axes) is not judged");
 }
 
 TEST(KlartextUnsupported, CyclesThatActWhereTheyAreDefined) {
@@ -184,10 +185,10 @@ TEST(KlartextUnsupported, TheFirstPresetIsThatOfTheSetup) {
   EXPECT_EQ(said("CYCL DEF 247 DATUM ~\n Q339=+3 ;DATUM NUMBER\n"), "read");
   EXPECT_EQ(said("CYCL DEF 247 DATUM ~\n Q339=+3\nCYCL DEF 247 DATUM ~\n Q339=+3\n"), "read");
   EXPECT_EQ(said("CYCL DEF 247 DATUM ~\n Q339=+3\nCYCL DEF 247 DATUM ~\n Q339=+4\n"),
-            "4:2 CYCL DEF 247 (another preset than the first) is not judged");
+            "4:2 CYCL DEF 247 (a preset other than the first) is not judged");
   EXPECT_EQ(said("PRESET SELECT #3\n"), "read");
   EXPECT_EQ(said("CYCL DEF 247 DATUM ~\n Q339=3\nPRESET SELECT #5\n"),
-            "3:15 PRESET SELECT (another preset than the first) is not judged");
+            "3:15 PRESET SELECT (a preset other than the first) is not judged");
   EXPECT_EQ(said("PRESET SELECT\n"), "E_SYNTAX@1:14");
 }
 
