@@ -31,7 +31,7 @@ class RationalValue {
   [[nodiscard]] mpz_srcptr denominator() const;
   [[nodiscard]] Rational rational() const;
 
-  void set(long value);
+  void set(std::int64_t value);
   void set(mpq_srcptr value);  ///< in lowest terms
 
   // Each sets this, another object than the operands, to the result.
