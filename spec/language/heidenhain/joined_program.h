@@ -3,8 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -13,11 +11,8 @@
 
 namespace toolcomp::spec::klartext {
 
-// The file in this folder that a CALL PGM names, with or without the ending .h, in capitals or not. Nothing where there
-// is none, and for a name with a path.
-std::optional<std::filesystem::path> file_beside(const std::filesystem::path& folder, std::string_view name);
-// The texts of the files that it finds.
-CalledProgram programs_beside(std::filesystem::path folder);
+// Whether the name of a program has a path: what it names is looked for nowhere.
+bool has_path(std::string_view name);
 
 // The main text, and behind it the programs that it calls and does not hold itself, and those that they call: each
 // once, in the order of the first CALL PGM in the text that arises, as it is in its file. Lines count on. The
