@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "certify/input/program.h"
@@ -19,7 +20,9 @@
 #include "certify/view/program_page.h"
 #include "certify/view/program_run.h"
 #include "cli/notes.h"
+#include "cli/word_at_fault.h"
 #include "fast/basis/print.h"
+#include "fuzz/gen/program_text.h"
 #include "fuzz/oracle/control.h"
 #include "fuzz/oracle/number.h"
 #include "model/basis/print.h"
@@ -106,7 +109,8 @@ class FastRun final : public fast::EventSink {
       const auto block = std::make_unique<typename Control::Block>();
       for (std::size_t blocks = 0; !engine.stopped() && reader.next(*block); ++blocks) {
         if (blocks == most_blocks)
-          throw spec::InputError(kProgram, block->line, 0, fmt::format("runs more than {} blocks", most_blocks));
+          throw spec::InputError(kProgram, block->line, 0,
+                                 fmt::format("runs more than {} blocks: no more are run here", most_blocks));
         notes_.read(*block);
         tell();
         engine.block(*block);
@@ -128,14 +132,19 @@ class FastRun final : public fast::EventSink {
 };
 
 // What an alarm, a warning, or an event that is not judged says, where, and by which clause.
-Json said(const model::Event& event, const certify::ProgramRun::Block& block) {
+Json said(const model::Event& event, const certify::ProgramRun::Block& block, const std::vector<std::string>& text,
+          const spec::Setup& setup) {
   Json json = {{"kind", "said"}, {"what", name(event.kind)}, {"line", event.line}};
+  std::string more;
   if (event.kind == spec::EventKind::alarm && block.line == event.line) {
     json["line"] = block.fault_line;
-    json["column"] = block.fault_column;
+    const bool known = block.fault_line > 0 && block.fault_line <= text.size();
+    auto at = cli::at_fault(event.alarm, known ? text[block.fault_line - 1] : std::string(), block.fault_column, setup);
+    json["column"] = at.column;
+    more = std::move(at.more);
   }
   if (!event.number.view().empty()) json["number"] = event.number.view();
-  json["text"] = event.message;
+  json["text"] = event.message + more;
   if (event.kind == spec::EventKind::alarm && event.alarm == spec::AlarmCause::interference &&
       event.value.sign() == exact::Sign::positive)
     json["more"] = fmt::format("the paths cross by {:.6g}", fuzz::approximate(event.value));
@@ -150,16 +159,17 @@ void run_exactly(const spec::Case& c, const Options& options, Lines& lines) {
   std::size_t blocks = 0;
   const certify::ProgramRun run = certify::run_program(c, kProgram, [&blocks] {
     if (blocks++ == kMostExactBlocks)
-      throw spec::InputError(
-          kProgram, 0, 0,
-          fmt::format("runs more than {} blocks: here the exact model goes no further", kMostExactBlocks));
+      throw spec::InputError(kProgram, 0, 0,
+                             fmt::format("runs more than {} blocks: no more are run here", kMostExactBlocks));
   });
+  const std::vector<std::string> text = fuzz::lines(c.program);
   for (std::size_t i = 0; i < run.events.size(); ++i) {
     const model::Event& event = run.events[i];
     lines.add(event, c.setup.axes, options.digits);
     if (spec::ends_run(event.kind) || event.kind == spec::EventKind::warning ||
         event.kind == spec::EventKind::undecided)
-      lines.add(said(event, run.blocks.empty() ? certify::ProgramRun::Block{} : run.blocks[run.block_of[i]]));
+      lines.add(
+          said(event, run.blocks.empty() ? certify::ProgramRun::Block{} : run.blocks[run.block_of[i]], text, c.setup));
   }
   if (!options.page) return;
   const certify::ProgramView view{&run, {}, options.digits};

@@ -55,6 +55,9 @@ function element(name, attributes = {}, ...children) {
   return node;
 }
 
+// The module counts columns in bytes.
+const inCharacters = (line, column) => new TextDecoder().decode(new TextEncoder().encode(line).subarray(0, column - 1)).length + 1;
+
 const inAttribute = (text) => text.replace(/[&"<>]/g, (c) => `&#${c.charCodeAt(0)};`);
 
 class Page {
@@ -192,12 +195,14 @@ class Page {
   }
 
   // Where it is, what it says, and the clause behind it.
-  saying({ kind, what = kind, in: place = 'program', line, column, number, text, more, clause, clause_text: words }) {
+  saying({ kind, what = kind, in: place = 'program', line, column: byte, number, text, more, clause, clause_text: words }) {
+    const area = place === 'setup' ? $('setup') : $('program');
+    const column = inCharacters(area.value.split('\n')[line - 1] ?? '', byte ?? 1);
     const item = element('li', { class: what });
     const at = [place === 'setup' ? 'setup' : '', line && `line ${line}`, column > 1 && `column ${column}`].filter(Boolean).join(' ');
     if (at) {
       const button = element('button', { type: 'button' }, at);
-      button.addEventListener('click', () => this.go(place === 'setup' ? $('setup') : $('program'), line, column));
+      button.addEventListener('click', () => this.go(area, line, column));
       item.append(button, ' ');
     }
     item.append(element('b', {}, [what.replace('_', ' '), number].filter(Boolean).join(' ')), ` ${text}${more ? `: ${more}` : ''}`);
@@ -206,7 +211,7 @@ class Page {
   }
 
   // To a line of a text.
-  go(area, line, column = 1) {
+  go(area, line, column) {
     const lines = area.value.split('\n');
     const from = lines.slice(0, line - 1).reduce((sum, text) => sum + text.length + 1, 0);
     const length = (lines[line - 1] ?? '').length;

@@ -4,11 +4,15 @@
 // to the last of its 15 decimals and with the same clauses. Then faults of input, worked out by hand.
 import assert from 'node:assert';
 import { createHash } from 'node:crypto';
-import { readFileSync, readdirSync } from 'node:fs';
+import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { Engine } from '../../playground/engine.mjs';
 
 const [module, corpus, seed = '1'] = process.argv.slice(2);
+if (!existsSync(module)) {
+  console.log('the module is not there: the sources of GMP and MPFR could not be had');
+  process.exit(77);
+}
 const engine = new Engine(readFileSync(module));
 const whole = process.env.TOOLCOMP_TESTS_WHOLE !== undefined;
 const WIDTH = 1e-9;
@@ -66,6 +70,9 @@ for (const wrong of ['control = "fanuc"\naxes = ["X", "X"]\n', `${setup}[paramet
 const said = lines(engine.run('N10 G90 G17 G01 X10. F100\nN20 G03 X50. R10.\n', setup)).filter(({ kind }) => kind === 'said');
 assert.deepEqual(said.map(({ what, number, line }) => [what, number, line]), [['alarm', 'PS0020', 2]]);
 assert.ok(said[0].clause_text.startsWith(`${said[0].clause}\n`) && said[0].clause_text.includes('source'));
+// What may have been meant by a word, in the words of `toolcomp run`.
+const [comma] = lines(engine.run('N10 G01 X1,5 F100\n', setup)).filter(({ kind }) => kind === 'said');
+assert.ok(comma.text.endsWith(', "X1,5": a comma; numbers have a point') && comma.column === 11, JSON.stringify(comma));
 // 9,999 calls of three blocks are too many for exact numbers, not for the fast engine: that gives 2 x 9,999 and more.
 const calls = 'O0001\nG91 G01 F100\nM98 P2 L9999\nM30\nO0002\nX1.\nX-1.\nM99\n';
 assert.ok(lines(engine.run(calls, setup)).some(({ kind, text }) => kind === 'fault' && text.includes('20000')));

@@ -160,15 +160,17 @@ class Try(unittest.TestCase):
         self.assertEqual(self.browser.value("document.getElementById('program').value"), program)
 
     def test_6_keys_reach_everything(self):
+        """Tab goes through the page and into that of the program, whose keys then are its own."""
         self.browser.value("document.activeElement.blur(); window.focus()")
         reached = []
-        for _ in range(30):
+        for _ in range(60):
             self.browser.ask("Input.dispatchKeyEvent", type="keyDown", key="Tab", code="Tab", windowsVirtualKeyCode=9)
             self.browser.ask("Input.dispatchKeyEvent", type="keyUp", key="Tab", code="Tab", windowsVirtualKeyCode=9)
-            reached.append(self.browser.value("document.activeElement.id || document.activeElement.tagName"))
-            if reached[-1] == "frame":
+            reached.append(self.browser.value(
+                f"(({{ id, tagName, className }}) => id === 'frame' ? 'in ' + {FRAME}.contentDocument.activeElement.className : id || tagName)(document.activeElement)"))
+            if reached[-1] == "in list":
                 break
-        for wanted in ("examples", "samples", "share", "program", "setup", "frame"):
+        for wanted in ("examples", "samples", "share", "program", "setup", "in list"):
             self.assertIn(wanted, reached)
         block = self.browser.value(f"{FIGURE}.dataset.block")
         self.browser.press("End")
@@ -198,4 +200,7 @@ class Try(unittest.TestCase):
 
 
 if __name__ == "__main__":
+    if not pathlib.Path(sys.argv[1]).exists():
+        print("the page is not there: the sources of GMP and MPFR could not be had")
+        sys.exit(77)
     unittest.main(argv=sys.argv[:1], verbosity=2)
