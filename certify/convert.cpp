@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "certify/convert.h"
 
-#include <charconv>
-#include <limits>
-
 #include "spec/language/event_map.h"
 
 namespace toolcomp::certify {
@@ -12,15 +9,6 @@ spec::Event<double> in_double(const model::Event& event) {
   return spec::map_numbers<double>(event, [](const exact::Real& value) {
     const exact::DoubleEnclosure bounds = value.double_enclosure();
     return bounds.lower + (bounds.upper - bounds.lower) / 2;
-  });
-}
-
-spec::Event<double> in_double(const spec::TextEvent& event) {
-  return spec::map_numbers<double>(event, [](const spec::NumberText& text) {
-    double value = 0;
-    const char* end = text.v.data() + text.v.size();
-    const auto [rest, error] = std::from_chars(text.v.data(), end, value);
-    return error == std::errc() && rest == end ? value : std::numeric_limits<double>::quiet_NaN();
   });
 }
 

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <iostream>
+#include <sstream>
 #include <system_error>
 
 #include "cli/manners.h"
@@ -42,6 +43,15 @@ void say_what_is_read(const std::string& program, const std::string& setup) {
   const bool is_there = setup.empty() && !program.ends_with(".json");
   detail("reads " + std::string(spec::display_name(program)) +
          (setup.empty() ? is_there ? "; setup " + beside.string() : "" : "; setup " + setup));
+}
+
+std::string text_of_line(const Program& program, std::uint64_t line) {
+  if (program.is_case()) {
+    std::istringstream text(program.as_case().program);
+    return line_of(text, line);
+  }
+  const Place place = program.place(line);
+  return line_of(place.file, place.line);
 }
 
 void RecentBlocks::add(const spec::Block& block) {

@@ -31,6 +31,9 @@ void report_alarm(const std::string& file, std::uint64_t line, std::uint64_t col
 // With --verbose: the program and the setup, as the command line names them.
 void say_what_is_read(const std::string& program, const std::string& setup);
 
+// A line of the text that is read; empty where the text cannot be read again.
+std::string text_of_line(const Program& program, std::uint64_t line);
+
 // Where alarms point to: the places of the blocks read lately, for those that name an earlier block. A block of several
 // lines has its alarm of reading where the fault is.
 class RecentBlocks {

@@ -59,41 +59,15 @@ struct ModelNumber {
 double nearest(double value) { return value; }
 double nearest(const exact::Real& value) { return fuzz::approximate(value); }
 
-// An alarm of a word that cannot be read, as it stands.
-bool is_of_reading(spec::AlarmCause cause) {
-  switch (cause) {
-    case spec::AlarmCause::number_too_long:
-    case spec::AlarmCause::address_missing:
-    case spec::AlarmCause::digit_missing:
-    case spec::AlarmCause::sign:
-    case spec::AlarmCause::decimal_point:
-    case spec::AlarmCause::unknown_address:
-    case spec::AlarmCause::syntax:
-      return true;
-    default:
-      return false;
-  }
-}
-
 // Says on standard error what ends the run, and what is not judged, with its place.
 template <class Number>
 void tell(const Program& program, const RecentBlocks& recent, const spec::Event<Number>& event, Unjudged& unjudged) {
   const RecentBlocks::LineColumn at = recent.place(event.line);
   unjudged.on(event, at.line, at.column);
   if (event.kind != spec::EventKind::alarm) return;
-  std::string text = event.message;
-  std::uint64_t column = at.column;
-  if (is_of_reading(event.alarm)) {
-    const std::string word = word_at_fault(text_of_line(program, at.line), at.column, program.setup().control);
-    if (!word.empty()) text += ", " + word;
-  } else if (event.alarm == spec::AlarmCause::forbidden_under_tool_direction) {
-    if (const auto found = code_not_allowed(text_of_line(program, at.line), program.setup().axes)) {
-      text += ": " + found->code;
-      column = found->column;
-    }
-  }
+  const auto [more, column] = at_fault(event.alarm, text_of_line(program, at.line), at.column, program.setup());
   const Place place = program.place(at.line, column);
-  report_alarm(place.file, place.line, place.column, event.number.view(), text);
+  report_alarm(place.file, place.line, place.column, event.number.view(), event.message + more);
 }
 
 // Prints each event as it comes; an alarm also on standard error, with its place in the file.

@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <sstream>
 
-#include "cli/shown_place.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/fanuc/program_reader.h"
 #include "spec/language/printable.h"
@@ -88,6 +86,22 @@ std::string_view meant_in_klartext(std::string_view word) {
   return {};
 }
 
+// An alarm of a word that cannot be read, as it stands.
+bool is_of_reading(spec::AlarmCause cause) {
+  switch (cause) {
+    case spec::AlarmCause::number_too_long:
+    case spec::AlarmCause::address_missing:
+    case spec::AlarmCause::digit_missing:
+    case spec::AlarmCause::sign:
+    case spec::AlarmCause::decimal_point:
+    case spec::AlarmCause::unknown_address:
+    case spec::AlarmCause::syntax:
+      return true;
+    default:
+      return false;
+  }
+}
+
 }  // namespace
 
 std::string word_at_fault(std::string_view line, std::uint64_t column, spec::Control control) {
@@ -127,13 +141,14 @@ std::optional<CodeAt> code_not_allowed(std::string_view line, const spec::Axes& 
   return std::nullopt;
 }
 
-std::string text_of_line(const Program& program, std::uint64_t line) {
-  if (program.is_case()) {
-    std::istringstream text(program.as_case().program);
-    return line_of(text, line);
+AtFault at_fault(spec::AlarmCause cause, std::string_view line, std::uint64_t column, const spec::Setup& setup) {
+  if (is_of_reading(cause)) {
+    const std::string word = word_at_fault(line, column, setup.control);
+    return {word.empty() ? word : ", " + word, column};
   }
-  const Place place = program.place(line);
-  return line_of(place.file, place.line);
+  if (cause == spec::AlarmCause::forbidden_under_tool_direction)
+    if (const auto found = code_not_allowed(line, setup.axes)) return {": " + found->code, found->column};
+  return {{}, column};
 }
 
 }  // namespace toolcomp::cli

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "cli/program.h"
+#include "spec/language/axes.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::cli {
@@ -22,7 +22,12 @@ struct CodeAt {
   std::uint64_t column = 0;
 };
 std::optional<CodeAt> code_not_allowed(std::string_view line, const spec::Axes& axes);
-// A line of the text that is read; empty where the text cannot be read again.
-std::string text_of_line(const Program& program, std::uint64_t line);
+// What follows the text of an alarm, as one of both has it, and the column the alarm then points to; nothing and
+// `column` for an alarm that neither is about. `line`: the text of the line that is at fault.
+struct AtFault {
+  std::string more;
+  std::uint64_t column = 0;
+};
+AtFault at_fault(spec::AlarmCause cause, std::string_view line, std::uint64_t column, const spec::Setup& setup);
 
 }  // namespace toolcomp::cli

@@ -7,7 +7,7 @@
 
 #include "spec/language/byte_source.h"
 #include "spec/language/fanuc/program_files.h"
-#include "spec/language/heidenhain/joined_program.h"
+#include "spec/language/heidenhain/program_files.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::certify::input {

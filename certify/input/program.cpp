@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "certify/input/program.h"
 
-#include <algorithm>
 #include <array>
 #include <filesystem>
 
 #include "fuzz/oracle/control.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/case_format.h"
-#include "spec/language/document.h"
 #include "spec/language/fanuc/program_reader.h"
 #include "spec/language/heidenhain/joined_program.h"
-#include "spec/language/setup_format.h"
 
 namespace toolcomp::certify::input {
 namespace {
@@ -37,56 +34,13 @@ std::string setup_beside(const std::string& path) {
   return beside.string();
 }
 
-// Where the key of a message such as "parameters.19682: …" stands in the text of a setup; where it does not, what it
-// would stand in.
-spec::document::Position place_of(const spec::document::Node& root, std::string_view message) {
-  spec::document::Position at = root.at;
-  const spec::document::Node* node = &root;
-  std::string_view key = message.substr(0, message.find(':'));
-  while (!key.empty()) {
-    std::string name(key.substr(0, key.find('.')));
-    key.remove_prefix(std::min(key.size(), name.size() + 1));
-    std::erase(name, '"');
-    const auto member = std::ranges::find(node->members, name, &spec::document::Member::name);
-    if (member == node->members.end()) break;
-    at = member->at;
-    node = &member->value;
-  }
-  return at;
-}
-
-template <class Number>
-struct Nothing final : spec::EventSink<Number> {
-  void on(const spec::Event<Number>& /*event*/) override {}
+struct Nothing final : spec::EventSink<double> {
+  void on(const spec::Event<double>& /*event*/) override {}
 };
 
 }  // namespace
 
 spec::Setup read_setup(const std::string& path) { return read_setup_text(spec::read_file(path), path, is_json(path)); }
-
-spec::Setup read_setup_text(const std::string& text, const std::string& name, bool json) {
-  spec::Setup setup = json ? spec::read_setup_json(text, name) : spec::read_setup_toml(text, name);
-  try {
-    check_setup(setup);
-  } catch (const spec::InputError& error) {
-    // The engines know the key at fault, not the file.
-    if (error.file() != "setup") throw;
-    const auto root = json ? spec::document::parse_json(text, name) : spec::document::parse_toml(text, name);
-    const auto at = place_of(root, error.message());
-    throw spec::InputError(name, at.line, at.column, error.message());
-  }
-  return setup;
-}
-
-void check_setup(const spec::Setup& setup) {
-  model::Recorder recorder;
-  Nothing<exact::Real> exact_sink;
-  Nothing<double> fast_sink;
-  fuzz::with_control(setup, [&]<class Control>(Control) {
-    const auto model = Control::model(setup, recorder, exact_sink, 0);
-    const auto fast = Control::fast(setup, fast_sink, 0);
-  });
-}
 
 // Standard input cannot be looked at twice: it is always a program.
 Program::Program(const std::string& path, const std::string& setup, std::optional<std::uint32_t> samples)
@@ -152,7 +106,7 @@ spec::InputError Program::placed(const spec::InputError& error) const {
 }
 
 void expect_readable(const spec::Case& c, const std::string& name) {
-  Nothing<double> nowhere;
+  Nothing nowhere;
   fuzz::with_control(c.setup, [&]<class Control>(Control) {
     auto engine = Control::fast(c.setup, nowhere, 0);
     auto reader = Control::reader(spec::text_source(c.program), c.setup, name);

@@ -33,11 +33,12 @@ export class Live {
     if (state) sessionStorage.setItem(KEY, JSON.stringify(state));
   }
 
-  // What was kept by the page before this one.
+  // What was kept by the page before this one, or what the page around this one (playground/) has kept of it.
   static kept() {
-    if (!document.documentElement.dataset.live) return null;
+    const { live, kept } = document.documentElement.dataset;
+    if (!live && !kept) return null;
     try {
-      return JSON.parse(sessionStorage.getItem(KEY));
+      return JSON.parse(kept ?? sessionStorage.getItem(KEY));
     } catch {
       return null;
     }

@@ -150,6 +150,7 @@ export class Panel {
   resume() {
     const { program, blocks } = this.run;
     const live = new Live(() => this.state());
+    this.figure.state = () => this.state(); // for the page around this one
     const kept = Live.kept();
     if (kept) this.restore(kept);
     else if (/^#N?\d+$/.test(window.location.hash)) {

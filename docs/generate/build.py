@@ -21,6 +21,16 @@ import readings
 from formulas import formulas
 from tree import ROOT
 
+# The page to try toolcomp, where `./dev playground` has built it.
+TRY = ROOT / "build/playground/try"
+
+
+def try_it(_=None):
+    if TRY.is_dir():
+        return '<p><a class="md-button" href="try/index.html">Try it</a></p>'
+    return "This site was built without the page: `./dev playground` builds it."
+
+
 # <!-- generate: NAME ARGUMENT --> in a page is replaced by what NAME says of ARGUMENT.
 GENERATORS = {
     "clauses": clauses.listing,
@@ -36,6 +46,7 @@ GENERATORS = {
     "counted": figures.counted,
     "sections": figures.sections,
     "table": figures.table,
+    "try": try_it,
     "versions": figures.versions,
     "wrong-clauses": figures.wrong_clauses,
 }
@@ -112,6 +123,8 @@ def main():
                    check=True, env=environment)
     offline_search(folder / "site")
     tidy(folder / "site")
+    if TRY.is_dir():
+        shutil.copytree(TRY, folder / "site/try", dirs_exist_ok=True)
 
 
 if __name__ == "__main__":

@@ -32,7 +32,8 @@ Rational plain(const spec::Decimal& value) {
   const std::uint64_t divisor = power_of_ten(value.decimals);
   const std::uint64_t common = std::gcd(value.digits, divisor);
   Rational result;
-  mpq_set_ui(result.raw(), value.digits / common, divisor / common);
+  exact::set_whole(mpq_numref(result.raw()), value.digits / common);
+  exact::set_whole(mpq_denref(result.raw()), divisor / common);
   return value.negative ? -result : result;
 }
 

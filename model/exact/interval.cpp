@@ -93,7 +93,8 @@ bool set_at_base_precision(Interval& result, mpz_srcptr numerator, mpz_srcptr de
                       : quotient.at(limb) << zeros | quotient.at(limb - 1) >> (GMP_NUMB_BITS - zeros);
   };
   Digits digits{{from(last - 1), from(last)},
-                GMP_NUMB_BITS * (static_cast<mpfr_exp_t>(last + 1) - static_cast<mpfr_exp_t>(added)) - zeros};
+                GMP_NUMB_BITS * (static_cast<mpfr_exp_t>(last + 1) - static_cast<mpfr_exp_t>(added)) -
+                    static_cast<mpfr_exp_t>(zeros)};
   inexact = inexact || quotient.at(last - 2) << zeros != 0 ||
             (last > 2 && mpn_zero_p(quotient.data(), static_cast<mp_size_t>(last - 2)) == 0);
   const bool negative = mpz_sgn(numerator) < 0;

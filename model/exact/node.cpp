@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/exact/node.h"
 
-#include <flint/flint.h>
-
 #include <algorithm>
 #include <array>
 #include <utility>
 
 #include "model/exact/limb_pool.h"
 #include "model/exact/refinement.h"
+#include "model/exact/trigonometry.h"
 
 namespace toolcomp::exact {
 namespace {
@@ -40,7 +39,7 @@ struct ThreadEnd {
   ThreadEnd(ThreadEnd&&) = delete;
   ThreadEnd& operator=(ThreadEnd&&) = delete;
   ~ThreadEnd() {
-    flint_cleanup();
+    free_trigonometry();
     mpfr_free_cache();
     if (pool.live != 0) return;
     pool.free = nullptr;
@@ -116,7 +115,7 @@ void Node::become_zero() {
     if (operand != nullptr) release(operand);
   refined.reset();
   kind = Kind::rational;
-  value.set(0L);
+  value.set(std::int64_t{0});
   bounded = enclosed = false;
 }
 

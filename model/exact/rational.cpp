@@ -64,12 +64,12 @@ Integer& Integer::operator%=(const Integer& x) {
 }
 
 Integer& Integer::operator<<=(std::uint64_t bits) {
-  mpz_mul_2exp(value_, value_, bits);
+  mpz_mul_2exp(value_, value_, static_cast<mp_bitcnt_t>(bits));
   return *this;
 }
 
 Integer& Integer::operator>>=(std::uint64_t bits) {
-  mpz_fdiv_q_2exp(value_, value_, bits);
+  mpz_fdiv_q_2exp(value_, value_, static_cast<mp_bitcnt_t>(bits));
   return *this;
 }
 

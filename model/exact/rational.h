@@ -15,7 +15,37 @@ namespace toolcomp::exact {
 
 /// The integer types of the language from which a number may be made.
 template <class T>
-concept Whole = std::integral<T> && !std::same_as<T, bool> && sizeof(T) <= sizeof(long);
+concept Whole = std::integral<T> && !std::same_as<T, bool> && sizeof(T) <= sizeof(std::int64_t);
+
+/// Sets `value` to `number`. What GMP takes is a `long`, which has 32 bits on some platforms.
+template <Whole T>
+void set_whole(mpz_ptr value, T number) {
+  if constexpr (sizeof(T) > sizeof(long)) {
+    const bool negative = number < 0;
+    const auto bits = static_cast<std::uint64_t>(number);
+    const std::uint64_t magnitude = negative ? 0 - bits : bits;
+    mpz_import(value, 1, -1, sizeof magnitude, 0, 0, &magnitude);
+    if (negative) mpz_neg(value, value);
+  } else if constexpr (std::signed_integral<T>) {
+    mpz_set_si(value, number);
+  } else {
+    mpz_set_ui(value, number);
+  }
+}
+
+/// The number of `value`, which lies within the type.
+template <Whole T>
+T whole_of(mpz_srcptr value) {
+  static_assert(GMP_NUMB_BITS >= 64);
+  if constexpr (sizeof(T) > sizeof(long)) {
+    const std::uint64_t magnitude = mpz_getlimbn(value, 0);
+    return static_cast<T>(mpz_sgn(value) < 0 ? 0 - magnitude : magnitude);
+  } else if constexpr (std::signed_integral<T>) {
+    return static_cast<T>(mpz_get_si(value));
+  } else {
+    return static_cast<T>(mpz_get_ui(value));
+  }
+}
 
 /// An integer. Quotients and remainders are rounded towards zero, as those of the language; std::overflow_error if
 /// the divisor is zero.
@@ -24,10 +54,8 @@ class Integer {
   Integer() { mpz_init(value_); }
   template <Whole T>
   Integer(T number) {  // NOLINT(google-explicit-constructor): a number is a number
-    if constexpr (std::signed_integral<T>)
-      mpz_init_set_si(value_, number);
-    else
-      mpz_init_set_ui(value_, number);
+    mpz_init(value_);
+    set_whole(value_, number);
   }
   explicit Integer(const std::string& text);  ///< of decimal digits, with or without sign; std::invalid_argument
   Integer(const Integer& other) { mpz_init_set(value_, other.value_); }
@@ -55,10 +83,7 @@ class Integer {
   explicit operator T() const {
     if (*this < Integer(std::numeric_limits<T>::min())) return std::numeric_limits<T>::min();
     if (*this > Integer(std::numeric_limits<T>::max())) return std::numeric_limits<T>::max();
-    if constexpr (std::signed_integral<T>)
-      return static_cast<T>(mpz_get_si(value_));
-    else
-      return static_cast<T>(mpz_get_ui(value_));
+    return whole_of<T>(value_);
   }
 
   Integer& operator+=(const Integer& x);
@@ -104,10 +129,7 @@ class Rational {
   template <Whole T>
   Rational(T number) {  // NOLINT(google-explicit-constructor): a number is a number
     mpq_init(value_);
-    if constexpr (std::signed_integral<T>)
-      mpz_set_si(mpq_numref(value_), number);
-    else
-      mpz_set_ui(mpq_numref(value_), number);
+    set_whole(mpq_numref(value_), number);
   }
   Rational(const Integer& number) {  // NOLINT(google-explicit-constructor): a number is a number
     mpq_init(value_);

@@ -148,8 +148,8 @@ Rational RationalValue::rational() const {
   return result;
 }
 
-void RationalValue::set(long value) {
-  mpz_set_si(mpq_numref(value_), value);
+void RationalValue::set(std::int64_t value) {
+  set_whole(mpq_numref(value_), value);
   decimals_ = 0;
 }
 
@@ -165,7 +165,11 @@ void RationalValue::settle() {
   const auto twos = static_cast<std::size_t>(std::countr_zero(word(divisor)));
   const std::size_t decimals = std::max(twos, exponent_of_five(word(divisor) >> twos));
   if (decimals >= kWordPowers) return;
-  if (decimals != 0) mpz_mul_ui(mpq_numref(value_), mpq_numref(value_), kTens.at(decimals) / word(divisor));
+  if (decimals != 0) {
+    const mp_limb_t factor = kTens.at(decimals) / word(divisor);
+    mpz_t whole;
+    mpz_mul(mpq_numref(value_), mpq_numref(value_), mpz_roinit_n(whole, &factor, 1));
+  }
   decimals_ = static_cast<std::int32_t>(decimals);
 }
 

@@ -32,7 +32,7 @@ class RationalValue {
   [[nodiscard]] mpz_srcptr denominator() const;
   [[nodiscard]] Rational rational() const;
 
-  void set(long value);
+  void set(std::int64_t value);
   void set(mpq_srcptr value);  ///< in lowest terms
 
   // Each sets this object to the result. It must not be one of the operands.

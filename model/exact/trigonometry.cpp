@@ -2,6 +2,7 @@
 #include "model/exact/trigonometry.h"
 
 #include <arb.h>
+#include <flint/flint.h>
 #include <flint/fmpq.h>
 
 #include <array>
@@ -140,5 +141,7 @@ void arctangent_degrees(Interval& result, const Interval& tangent) {
   arctangent_of_end(result.lower, tangent.lower, MPFR_RNDD);
   arctangent_of_end(result.upper, tangent.upper, MPFR_RNDU);
 }
+
+void free_trigonometry() { flint_cleanup(); }
 
 }  // namespace toolcomp::exact

@@ -16,4 +16,7 @@ void arctangent_degrees(Interval& result, const Interval& tangent);
 void sine_of_degrees(Interval& result, const Interval& degrees);
 void cosine_of_degrees(Interval& result, const Interval& degrees);
 
+/// Gives back what the functions above hold for this thread.
+void free_trigonometry();
+
 }  // namespace toolcomp::exact

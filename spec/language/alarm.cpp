@@ -19,8 +19,9 @@ std::span<const AlarmInfo> alarms() { return std::span(kAlarms).first(kAlarms.si
 const AlarmInfo& info(AlarmCause cause) { return kAlarms.at(static_cast<std::size_t>(cause) - 1); }
 
 std::optional<AlarmCause> find_alarm(std::string_view name) {
-  const auto* const found = std::ranges::find(kAlarms, name, &AlarmInfo::name);
-  if (found == kAlarms.end()) return std::nullopt;
+  const std::span all(kAlarms);
+  const auto found = std::ranges::find(all, name, &AlarmInfo::name);
+  if (found == all.end()) return std::nullopt;
   return found->cause;
 }
 

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string_view>
 
 namespace toolcomp::spec {
@@ -62,9 +63,10 @@ inline constexpr std::array<std::string_view, 38> kFieldNames{
 
 constexpr std::string_view field_name(Field field) { return kFieldNames[static_cast<std::size_t>(field)]; }
 constexpr std::optional<Field> find_field(std::string_view name) {
-  const auto* const found = std::ranges::find(kFieldNames, name);
-  if (found == kFieldNames.end()) return std::nullopt;
-  return static_cast<Field>(found - kFieldNames.begin());
+  const std::span names(kFieldNames);
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<Field>(found - names.begin());
 }
 
 // A set of fields.

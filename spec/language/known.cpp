@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 #include <stdexcept>
 
 namespace toolcomp::spec {
@@ -18,9 +19,10 @@ constexpr std::array<std::string_view, kKnownKinds> kNames{"manual", "sister", "
 std::string_view known_name(Known known) { return kNames.at(static_cast<std::size_t>(known)); }
 
 std::optional<Known> find_known(std::string_view name) {
-  const auto* const found = std::ranges::find(kNames, name);
-  if (found == kNames.end()) return std::nullopt;
-  return static_cast<Known>(found - kNames.begin());
+  const std::span names(kNames);
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<Known>(found - names.begin());
 }
 
 std::string cited(const ClauseInfo& clause) {

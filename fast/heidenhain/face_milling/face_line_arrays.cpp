@@ -160,7 +160,7 @@ FaceLineEnd take_face_lines(const LineChunk& chunk, const FaceLineStart& start,
                   start.contour ? values.effective_ring : values.ring_delta, start.tip_below, values.length_delta,
                   start.contour};
   run_by<Tips>(by, &blocks, &tips, size);
-  const auto* const first = blocks.refused.begin() + 1;
+  const auto* const first = blocks.refused.data() + 1;
   const auto taken = static_cast<std::size_t>(std::find_if(first, first + size, [](auto r) { return r != 0; }) - first);
   Moves& moves = *chunk.moves;
   const std::array<const Column*, 3> tip{&blocks.tip.x, &blocks.tip.y, &blocks.tip.z};

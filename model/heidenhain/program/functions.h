@@ -24,9 +24,10 @@ struct Functions {
     using spec::klartext::Statement;
     const bool has_functions = block.statement == Statement::line || block.statement == Statement::line_with_vectors ||
                                block.statement == Statement::stop || block.statement == Statement::miscellaneous;
-    const auto* const end = block.function.begin() + (has_functions ? block.functions : 0);
-    const auto any = [&block, end](std::initializer_list<std::uint16_t> numbers) {
-      return std::find_first_of(block.function.begin(), end, numbers.begin(), numbers.end()) != end;
+    const auto* const first = block.function.data();
+    const auto* const end = first + (has_functions ? block.functions : 0);
+    const auto any = [first, end](std::initializer_list<std::uint16_t> numbers) {
+      return std::find_first_of(first, end, numbers.begin(), numbers.end()) != end;
     };
     return {any({128}), any({107}), any({91, 92}), any({129}), any({108}), any({2, 30})};
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 
 namespace toolcomp::spec {
 namespace {
@@ -121,17 +122,19 @@ const char* code_not_supported(const Decimal& number) {
     if (tenths % 10 != 0) return nullptr;
   if (tenths > kCodes.back().tenths) return nullptr;
   if (decimals == 0) tenths *= 10;
-  const auto* const found = std::ranges::lower_bound(kCodes, tenths, {}, &Code::tenths);
-  return found != kCodes.end() && found->tenths == tenths ? found->text : nullptr;
+  const std::span codes(kCodes);
+  const auto found = std::ranges::lower_bound(codes, tenths, {}, &Code::tenths);
+  return found != codes.end() && found->tenths == tenths ? found->text : nullptr;
 }
 
 const char* text_not_supported(std::string_view text) {
   const auto is = [text](std::size_t at, char c) { return text.size() > at && text[at] == c; };
   if (is(0, '#') || is(1, '#')) return "# (a macro variable) is not supported";
   if (is(0, '[') || is(1, '[')) return "[ (an expression of a macro) is not supported";
-  const auto* const found =
-      std::ranges::find_if(kMacros, [text](const Statement& s) { return text.starts_with(s.begins); });
-  return found == kMacros.end() ? nullptr : found->text;
+  const std::span statements(kMacros);
+  const auto found =
+      std::ranges::find_if(statements, [text](const Statement& s) { return text.starts_with(s.begins); });
+  return found == statements.end() ? nullptr : found->text;
 }
 
 }  // namespace toolcomp::spec

@@ -2,19 +2,15 @@
 #include "spec/language/heidenhain/joined_program.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
-#include <system_error>
 #include <utility>
 #include <vector>
-
-#include "spec/language/byte_source.h"
 
 namespace toolcomp::spec::klartext {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-
-bool has_path(std::string_view name) { return name.find_first_of("/\\:") != std::string_view::npos; }
 
 std::string_view without_mark(std::string_view text) {
   return text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text;
@@ -28,30 +24,7 @@ void add_names(const std::vector<OutlineEntry>& entries, std::set<std::string>& 
 
 }  // namespace
 
-std::optional<std::filesystem::path> file_beside(const std::filesystem::path& folder, std::string_view name) {
-  if (has_path(name)) return {};
-  namespace fs = std::filesystem;
-  std::vector<fs::path> found;
-  std::error_code error;
-  for (fs::directory_iterator entry(folder.empty() ? "." : folder, error), end; !error && entry != end;
-       entry.increment(error)) {
-    const fs::path& path = entry->path();
-    if (entry->is_regular_file(error) && program_key(path.filename().string()) == program_key(name))
-      found.push_back(path);
-  }
-  if (found.empty()) return {};
-  std::ranges::sort(found);
-  const auto exact =
-      std::ranges::find_if(found, [name](const fs::path& path) { return path.filename().string() == name; });
-  return exact == found.end() ? found.front() : *exact;
-}
-
-CalledProgram programs_beside(std::filesystem::path folder) {
-  return [folder = std::move(folder)](std::string_view name, std::uint64_t /*line*/) {
-    const std::optional<std::filesystem::path> file = file_beside(folder, name);
-    return file ? std::optional(read_file(file->string())) : std::nullopt;
-  };
-}
+bool has_path(std::string_view name) { return name.find_first_of("/\\:") != std::string_view::npos; }
 
 std::string joined_rest(TextAt rest, std::string_view main, const CalledProgram& called) {
   Setup setup;  // lines that begin with / count too: whether they are skipped is not known here

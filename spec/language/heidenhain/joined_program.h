@@ -3,8 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -13,11 +11,8 @@
 
 namespace toolcomp::spec::klartext {
 
-// The file in this folder that a CALL PGM names, with or without the ending .h, in upper or lower case. std::nullopt if
-// there is none, and for a name with a path.
-std::optional<std::filesystem::path> file_beside(const std::filesystem::path& folder, std::string_view name);
-// Gives the texts of the files that file_beside finds.
-CalledProgram programs_beside(std::filesystem::path folder);
+// Whether the name of a program has a path. Such a program is not looked for.
+bool has_path(std::string_view name);
 
 // The main text, followed by the programs that it calls and does not contain itself, and by the programs that they
 // call. Each program comes once, as it is in its file, in the order of the first CALL PGM in the joined text. Line

@@ -19,6 +19,7 @@
 #include "spec/language/byte_source.h"
 #include "spec/language/event_format.h"
 #include "spec/language/heidenhain/joined_program.h"
+#include "spec/language/heidenhain/program_files.h"
 #include "spec/language/setup_format.h"
 #include "tests/effort.h"
 

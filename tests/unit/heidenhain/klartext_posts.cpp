@@ -15,6 +15,7 @@
 #include "spec/language/byte_source.h"
 #include "spec/language/heidenhain/joined_program.h"
 #include "spec/language/heidenhain/klartext_reader.h"
+#include "spec/language/heidenhain/program_files.h"
 #include "spec/language/setup_format.h"
 
 namespace toolcomp {
