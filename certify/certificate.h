@@ -44,8 +44,10 @@ struct SectionResult {
   std::uint64_t left_out = 0;                          // and not, for Capabilities::known
   std::map<spec::Clause, std::uint64_t> left_out_for;  // of them, how many rest on this clause
   std::uint64_t few_events = 0;                        // cases with a verdict and fewer than three events judged
-  fuzz::Widths widths;                                 // that were granted
-  double worst_ulp = 0;                                // in the units the verdict policy multiplies by its k
+  // Cases that do not apply since the controller does otherwise by design, as it says, by the name of that.
+  std::map<std::string, std::uint64_t> known_differences;
+  fuzz::Widths widths;   // that were granted
+  double worst_ulp = 0;  // in the units the verdict policy multiplies by its k
   double worst_um = 0;
   fuzz::Bias bias;  // of rounded lengths
 
@@ -100,6 +102,8 @@ struct Certificate {
   std::string interrupted;                  // why not all was run; empty: all was
   std::string chatter;                      // what the controller wrote that is no answer, the first such line
   std::string hello;                        // its answer to hello, as it came; empty: none came
+  // Of an adapter: why it does otherwise, by the name of the difference (SectionResult::known_differences).
+  std::map<std::string, std::string> known_reasons;
 };
 
 // Normative, parameter and alarm clauses of the certificate's sections that can be tested and were not reached.
@@ -121,12 +125,24 @@ std::vector<std::pair<spec::Clause, std::uint64_t>> left_out_for(const Certifica
 // had no value judged (but one of which all is left out), or more than policy::kMostWide of the values of a section or
 // of an own case were not judged; else 0.
 int exit_status(const Certificate& certificate);
-// "conforms in 1 of 12 sections, 11 not applicable", "does not conform", "not decided", "not decided: interrupted",
-// "conforms only in part (…): more than 1 % not judged", "self-check failed".
+// "conforms in 1 of 12 sections, 11 not applicable", "conforms in …; 14 cases differ by design", "does not conform",
+// "not decided", "not decided: interrupted", "conforms only in part (…): more than 1 % not judged", "self-check
+// failed".
 std::string verdict(const Certificate& certificate);
+// What was looked at, in numbers: sections that were judged, do not apply to the controller, or rest on clauses that
+// were left out, and programs of the user's own.
+struct Scope {
+  std::size_t judged = 0;
+  std::size_t not_applicable = 0;
+  std::size_t left_out = 0;
+  std::uint64_t programs = 0;
+};
+Scope counted_scope(const Certificate& certificate);
 // What was looked at: "all 12 sections", "1 of 12 sections, 3 not applicable, 8 not asked for and 2 programs".
 std::string scope(const Certificate& certificate);
 std::uint64_t cases_not_run(const Certificate& certificate);
+// Cases that the controller does otherwise by design, as it says, by the name of the difference.
+std::map<std::string, std::uint64_t> known_differences(const Certificate& certificate);
 // Groups of findings of which one was settled.
 std::size_t groups_settled(const Certificate& certificate);
 // "2 of 3 groups settled, in 30 s at most"; empty: there are no findings.

@@ -27,6 +27,7 @@ struct Reply {
   std::vector<TextEvent> events;
   std::vector<FieldSet> fields;  // of each event: which fields the answer gives
   std::string not_applicable;    // instead of events: what the controller does not have; empty: it has
+  std::string known_difference;  // with not_applicable: the name of what it does otherwise by design; empty: none
   std::string error;             // instead of events: why it could not run the case; empty: it could
 };
 

@@ -68,7 +68,8 @@ std::string_view answer_schema() {
       "type": "object", "additionalProperties": false, "required": ["id", "not_applicable"],
       "properties": {
         "id": { "type": "string" },
-        "not_applicable": { "description": "What the control does not have.", "type": "string", "minLength": 1 }
+        "not_applicable": { "description": "What the control does not have.", "type": "string", "minLength": 1 },
+        "known_difference": { "description": "The name of what the control does otherwise by design, where that is why.", "type": "string", "pattern": "^[a-z0-9][a-z0-9-]{0,63}$" }
       }
     },
     "error": {
