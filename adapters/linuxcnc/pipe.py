@@ -14,7 +14,8 @@ from translate import PREAMBLE, translate
 def version():
     """That of Debian's package; of LinuxCNC from elsewhere nobody knows more than 2.9."""
     try:
-        asked = subprocess.run(["dpkg-query", "-W", "-f=${Version}", "linuxcnc-uspace"], capture_output=True, text=True, check=False)
+        asked = subprocess.run(["dpkg-query", "-W", "-f=${Version}", "linuxcnc-uspace"],
+                               capture_output=True, text=True, check=False)
     except OSError:
         return "2.9"
     return asked.stdout if asked.returncode == 0 and asked.stdout else "2.9"
