@@ -182,6 +182,17 @@ void add_findings(const Reader& read, const Node& root, Controller& controller,
   }
 }
 
+void add_causes(const Reader& read, const Node& root, Controller& controller) {
+  const Node* const causes = root.find("causes");
+  if (causes == nullptr) return;
+  read.expect(*causes, Kind::array, "causes");
+  for (const Node& node : causes->items) {
+    if (controller.causes.size() >= kMostFindings) return;
+    controller.causes.push_back(
+        {shown(read, node, "cause"), array_of(read, node, "findings").items.size(), count(read, node, "cases")});
+  }
+}
+
 // By section; clauses of rules that sections share (fanuc/program) belong to none of them.
 void add_clauses(const Reader& read, const Node& root, Controller& controller) {
   for (const Member& member : table_of(read, root, "clauses").members) {
@@ -215,6 +226,7 @@ Controller of_answers(const Reader& read, const Node& root) {
     read.fail(read.needed(root, "exit_status").at,
               fmt::format("exit_status: is {}, and there are {} findings", c.exit_status,
                           read.needed(root, "findings").items.size()));
+  add_causes(read, root, c);
   add_differences(read, root, c);
   for (const Node& section : array_of(read, root, "sections").items) add_section(read, section, c);
   for (const auto& [section, number] : findings) {

@@ -57,6 +57,13 @@ struct ToldFinding {
   std::uint64_t cases = 1;
 };
 
+// Findings that look like one mistake.
+struct ToldCause {
+  std::string words;
+  std::uint64_t findings = 0;
+  std::uint64_t cases = 0;
+};
+
 // What one certificate says. All text is fit to be shown (spec/language/printable.h).
 struct Controller {
   std::string folder;  // of the certificate, as it was named
@@ -72,6 +79,7 @@ struct Controller {
   std::vector<std::string> fields_not_judged;
   std::map<std::string, Cell> cells;               // by section; "": programs of the user's own
   std::vector<ToldFinding> findings;               // the first kMostFindings
+  std::vector<ToldCause> causes;                   // of findings, the first kMostFindings
   std::map<std::string, std::string> differences;  // why the controller does otherwise by design, by name
 
   // What it is called: "LinuxCNC rs274 2.9".

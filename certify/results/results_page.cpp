@@ -14,6 +14,9 @@
 namespace toolcomp::certify::results {
 namespace {
 
+// Findings of a section that stand open; a wrong controller has dozens.
+constexpr std::uint64_t kAtOnce = 5;
+
 std::string coded(std::string_view text) { return "<code>" + escape(text) + "</code>"; }
 
 std::string row_name(std::string_view section) { return section.empty() ? "own programs" : std::string(section); }
@@ -125,13 +128,17 @@ std::string cell_details(const Controller& c, std::size_t index, const std::stri
              (reason == c.differences.end() ? "" : ". " + escape(reason->second)) + "</li>\n";
   }
   std::uint64_t shown = 0;
+  std::string more;
   for (const ToldFinding& finding : c.findings) {
     if (finding.section != section) continue;
-    ++shown;
-    items += "<li>" + escape(finding.what) + "; " + counted(finding.cases, "case") + clause_of(finding) + "</li>\n";
+    (++shown <= kAtOnce ? items : more) +=
+        "<li>" + escape(finding.what) + "; " + counted(finding.cases, "case") + clause_of(finding) + "</li>\n";
   }
-  if (cell.findings > shown) items += "<li>" + counted(cell.findings - shown, "more finding") + "</li>\n";
+  if (cell.findings > shown) more += "<li>" + counted(cell.findings - shown, "finding") + " not shown here</li>\n";
   if (!items.empty()) out += "<ul>\n" + items + "</ul>\n";
+  if (!more.empty())
+    out += fmt::format("<details><summary>{}</summary><ul>\n{}</ul></details>\n",
+                       counted(cell.findings - std::min(shown, kAtOnce), "more finding"), more);
   if (cell.clauses.empty()) return out;
   out += fmt::format("<details><summary>{} judged by</summary><p>", counted(cell.clauses.size(), "clause"));
   for (std::size_t i = 0; i < cell.clauses.size(); ++i) out += (i == 0 ? "" : ", ") + coded(cell.clauses[i]);
@@ -152,6 +159,9 @@ std::string controller_details(const Controller& c, std::size_t index, const std
                 {"judged by", c.judged_by.empty() ? "all clauses" : "clauses known as " + escape(c.judged_by)},
                 {"fields not judged", fields.empty() ? "none" : fields},
                 {"certificate", coded(c.folder)}});
+  for (const ToldCause& cause : c.causes)
+    out += "<p>" + counted(cause.findings, "finding") + " in " + counted(cause.cases, "case") +
+           (cause.findings == 1 ? " looks" : " look") + " like: " + escape(cause.words) + ".</p>\n";
   for (const std::string& section : sections)
     if (c.cell(section).standing != Standing::not_asked) out += cell_details(c, index, section);
   return out;
@@ -202,6 +212,7 @@ std::string json(std::span<const Controller> controllers) {
              {"fields_not_judged", c.fields_not_judged},
              {"cells", Json::object()},
              {"findings", Json::array()},
+             {"causes", Json::array()},
              {"known_differences", Json(c.differences)}};
     for (const std::string& section : sections) one["cells"][section] = to_json(c.cell(section));
     for (const ToldFinding& finding : c.findings)
@@ -210,6 +221,8 @@ std::string json(std::span<const Controller> controllers) {
                                  {"source", finding.source},
                                  {"what", finding.what},
                                  {"cases", finding.cases}});
+    for (const ToldCause& cause : c.causes)
+      one["causes"].push_back({{"cause", cause.words}, {"findings", cause.findings}, {"cases", cause.cases}});
     json["controllers"].push_back(std::move(one));
   }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
