@@ -161,9 +161,12 @@ std::string json_report(const AdapterCampaign& campaign, const AdapterCertificat
   json["seconds_run"] = certificate.seconds_run;
   json["seconds_judged"] = certificate.seconds_judged;
   json["errors"] = certificate.errors;
+  json["known_differences"] = Json::object();
+  for (const KnownDifference& known : campaign.adapter.known) json["known_differences"][known.id] = known.reason;
   json["runs"] = Json::array();
   for (const AdapterRun& run : certificate.runs) {
     Json one{{"id", run.c.id},
+             {"section", run.c.section},
              {"machine", run.machine},
              {"outcome", name(run.outcome)},
              {"why", run.why},

@@ -84,7 +84,7 @@ Answer read_answer(const Capabilities& capabilities, const spec::Case& c, std::s
     if (read.id != c.id)
       return fault(FaultKind::malformed, std::string(kAnotherCase) + excerpt(read.id) + " instead of " + excerpt(c.id));
     if (!read.not_applicable.empty()) {
-      answer.result = NotApplicable{std::move(read.not_applicable)};
+      answer.result = NotApplicable{std::move(read.not_applicable), std::move(read.known_difference)};
       return answer;
     }
     answer.missing = find_missing(capabilities, read);

@@ -44,6 +44,7 @@ CaseResult asked_and_judged(const spec::Case& c, Origin origin, const fuzz::Mode
 CaseResult asked_and_judged(const spec::Case& c, Origin origin, const spec::FieldSet& fields, const Answer& answer,
                             Judgement judgement) {
   CaseResult r = not_asked(c, origin, judgement.result, std::move(judgement.why));
+  r.known_difference = std::move(judgement.known_difference);
   r.sent = answer.sent;
   // What is missing where something differs is part of that finding.
   const bool whole = has_verdict(r) && !judgement.verdict.beyond;
@@ -61,6 +62,7 @@ Result counted(const CaseResult& r) {
 void add(SectionResult& s, const CaseResult& r) {
   ++s.cases.at(static_cast<std::size_t>(r.origin));
   ++s.results.at(static_cast<std::size_t>(counted(r)));
+  if (!r.known_difference.empty()) ++s.known_differences[r.known_difference];
   const bool partly = r.result == Result::partly_judged;
   s.cut_cases += partly && r.verdict.beyond ? 1 : 0;
   s.cut_programs += partly && r.verdict.beyond && r.origin == Origin::own ? 1 : 0;

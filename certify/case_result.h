@@ -24,6 +24,7 @@ struct CaseResult {
   FailureKey key;  // with `differs`
   std::string id;
   std::string why;
+  std::string known_difference;  // with not_applicable, where the controller says so
   std::string picture;
   std::set<std::string> without_effect;  // words
   spec::FieldSet sent;                   // fields that the controller sent

@@ -109,20 +109,22 @@ int exit_status(const Certificate& certificate) {
   return std::ranges::any_of(certificate.sections, is_too_wide) ? 3 : 0;
 }
 
-std::string scope(const Certificate& certificate) {
-  std::size_t judged = 0;
-  std::size_t not_applicable = 0;
-  std::size_t left_out = 0;
-  std::uint64_t programs = 0;
+Scope counted_scope(const Certificate& certificate) {
+  Scope scope;
   for (const SectionResult& s : certificate.sections) {
     const std::uint64_t applicable = s.total() - s.count(Result::not_applicable);
     if (s.section.empty())
-      programs += applicable;
+      scope.programs += applicable;
     else if (s.is_left_out())
-      ++left_out;
+      ++scope.left_out;
     else
-      ++(applicable > 0 ? judged : not_applicable);
+      ++(applicable > 0 ? scope.judged : scope.not_applicable);
   }
+  return scope;
+}
+
+std::string scope(const Certificate& certificate) {
+  const auto [judged, not_applicable, left_out, programs] = counted_scope(certificate);
   const std::size_t all = fuzz::sections().size();
   std::string text;
   if (judged + not_applicable + left_out > 0) {
@@ -139,9 +141,15 @@ std::string scope(const Certificate& certificate) {
 
 std::string verdict(const Certificate& certificate) {
   switch (exit_status(certificate)) {
-    case 0:
+    case 0: {
+      std::uint64_t by_design = 0;
+      for (const auto& [id, cases] : known_differences(certificate)) by_design += cases;
       return "conforms in " + scope(certificate) +
-             (certificate.subject.known.is_all() ? "" : ", judged only by " + known_as(certificate));
+             (certificate.subject.known.is_all() ? "" : ", judged only by " + known_as(certificate)) +
+             (by_design == 0
+                  ? ""
+                  : fmt::format("; {} case{} by design", by_design, by_design == 1 ? " differs" : "s differ"));
+    }
     case 1:
       return "does not conform";
     case 4:
@@ -156,6 +164,13 @@ std::string verdict(const Certificate& certificate) {
     return fmt::format("conforms only in part ({}): {} program{} not judged to the end", scope(certificate), cut,
                        cut == 1 ? "" : "s");
   return "conforms only in part (" + scope(certificate) + "): more than 1 % not judged";
+}
+
+std::map<std::string, std::uint64_t> known_differences(const Certificate& certificate) {
+  std::map<std::string, std::uint64_t> sums;
+  for (const SectionResult& s : certificate.sections)
+    for (const auto& [id, cases] : s.known_differences) sums[id] += cases;
+  return sums;
 }
 
 std::uint64_t cases_not_run(const Certificate& certificate) {

@@ -44,8 +44,11 @@ struct SectionResult {
   std::uint64_t left_out = 0;                     // events that were left out because of Capabilities::known
   std::map<spec::Clause, std::uint64_t> left_out_for;  // how many of these rest on each clause
   std::uint64_t few_events = 0;                        // cases with a verdict and fewer than three events judged
-  fuzz::Widths widths;                                 // that were granted
-  double worst_ulp = 0;                                // in the units that the policy multiplies by k
+  // Cases that do not apply because the controller does them otherwise by design, as it says, by the name of the
+  // difference.
+  std::map<std::string, std::uint64_t> known_differences;
+  fuzz::Widths widths;   // that were granted
+  double worst_ulp = 0;  // in the units that the policy multiplies by k
   double worst_um = 0;
   fuzz::Bias bias;  // of rounded lengths
 
@@ -100,6 +103,8 @@ struct Certificate {
   std::string interrupted;                  // why not all cases were run; otherwise empty
   std::string chatter;                      // the first line of the controller that is not an answer
   std::string hello;                        // its answer to hello, as it came; empty if none came
+  // Of an adapter: why it does otherwise, by the name of the difference (SectionResult::known_differences).
+  std::map<std::string, std::string> known_reasons;
 };
 
 // Normative, parameter and alarm clauses of the certificate's sections that can be tested and were not reached.
@@ -121,12 +126,24 @@ std::vector<std::pair<spec::Clause, std::uint64_t>> left_out_for(const Certifica
 // case, if no value of an applicable section was judged (unless all of it is left out), or if more than
 // policy::kMostWide of the values of a section or of an own case were not judged; otherwise 0.
 int exit_status(const Certificate& certificate);
-// "conforms in 1 of 12 sections, 11 not applicable", "does not conform", "not decided", "not decided: interrupted",
-// "conforms only in part (…): more than 1 % not judged", "self-check failed".
+// "conforms in 1 of 12 sections, 11 not applicable", "conforms in …; 14 cases differ by design", "does not conform",
+// "not decided", "not decided: interrupted", "conforms only in part (…): more than 1 % not judged", "self-check
+// failed".
 std::string verdict(const Certificate& certificate);
+// What was judged, in numbers: sections that were judged, do not apply to the controller, or rest on clauses that
+// were left out, and programs of the user's own.
+struct Scope {
+  std::size_t judged = 0;
+  std::size_t not_applicable = 0;
+  std::size_t left_out = 0;
+  std::uint64_t programs = 0;
+};
+Scope counted_scope(const Certificate& certificate);
 // What was judged: "all 12 sections", "1 of 12 sections, 3 not applicable, 8 not asked for and 2 programs".
 std::string scope(const Certificate& certificate);
 std::uint64_t cases_not_run(const Certificate& certificate);
+// Cases that the controller does otherwise by design, as it says, by the name of the difference.
+std::map<std::string, std::uint64_t> known_differences(const Certificate& certificate);
 // Groups of findings of which one was settled.
 std::size_t groups_settled(const Certificate& certificate);
 // "2 of 3 groups settled, within 30 s"; empty if there are no findings.

@@ -181,6 +181,7 @@ Judgement judged_answer(const Capabilities& capabilities, const spec::Case& c, c
     Judgement j;
     j.result = Result::not_applicable;
     j.why = none->why;
+    j.known_difference = none->known_difference;
     return j;
   }
   if (!meets_minimum(capabilities)) {

@@ -40,6 +40,7 @@ struct Judgement {
   std::string status;                          // with a fault: how the process ended
   std::string errors;                          // and its standard error
   std::string why;                             // with undecided, nothing_judged, partly_judged, not_applicable
+  std::string known_difference;                // with not_applicable: its name, where the controller says so
 };
 
 // Two failures with the same key are one finding, even if their programs differ. The key has the section, the clause of

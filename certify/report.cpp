@@ -44,6 +44,7 @@ Json to_json(const SectionResult& s) {
   json["events"] = s.events;
   json["events_left_out"] = s.left_out;
   json["cases_with_fewer_than_three_events"] = s.few_events;
+  if (!s.known_differences.empty()) json["known_differences"] = s.known_differences;
   json["worst_um"] = s.worst_um;
   json["worst_ulp"] = s.worst_ulp;
   if (s.bias.count > 0)
@@ -235,6 +236,7 @@ std::string json_report(const Certificate& c) {
                       {"groups", c.causes.size()},
                       {"settled", groups_settled(c)}};
   json["read_without_effect"] = c.without_effect;
+  if (!c.known_reasons.empty()) json["known_differences"] = c.known_reasons;
   json["unsettled"] = Json::array();
   for (const Unsettled& u : c.unsettled)
     json["unsettled"].push_back({{"id", u.id}, {"section", u.section}, {"result", name(u.result)}, {"why", u.why}});

@@ -82,6 +82,11 @@ std::vector<std::string> not_judged(const Certificate& c, const SectionResult& a
     if (!s.section.empty() && s.total() > 0 && s.count(Result::not_applicable) == s.total())
       not_applicable.push_back(s.section);
   if (!not_applicable.empty()) items.push_back("not applicable, as the controller says: " + list_of(not_applicable));
+  for (const auto& [id, cases] : known_differences(c)) {
+    const auto reason = c.known_reasons.find(id);
+    items.push_back(plural(cases, "case") + " that the controller does otherwise by design, as it says: " + code(id) +
+                    (reason == c.known_reasons.end() ? "" : ". " + escape(reason->second)));
+  }
   std::vector<std::string> not_asked;
   for (const std::string_view section : fuzz::sections())
     if (std::ranges::find(c.sections, section, &SectionResult::section) == c.sections.end())

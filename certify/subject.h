@@ -41,6 +41,8 @@ struct Fault {
 // An answer that the case does not apply to this controller.
 struct NotApplicable {
   std::string why;
+  // What it does otherwise by design, where that is why: "outer-corner".
+  std::string known_difference = {};  // NOLINT(readability-redundant-member-init)
 };
 
 // A field that was announced, applies to an event, and is missing.

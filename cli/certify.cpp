@@ -13,6 +13,7 @@
 
 #include "certify/adapter.h"
 #include "certify/adapter_programs.h"
+#include "certify/badge.h"
 #include "certify/campaign.h"
 #include "certify/date.h"
 #include "certify/process.h"
@@ -30,6 +31,7 @@
 #include "corpus/golden.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/case_format.h"
+#include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
 #include "spec/language/known.h"
 #include "spec/language/printable.h"
@@ -145,6 +147,16 @@ std::vector<certify::CaseInput> machine_cases(const certify::Adapter& adapter, c
   return inputs;
 }
 
+// Before anything is asked: a badge of an earlier run says nothing of this one, and a file that cannot be written is
+// bad usage.
+void begin_badge(const CertifyOptions& options) {
+  if (options.badge.empty()) return;
+  if (fs::is_directory(options.badge)) throw spec::InputError("--badge", 0, 0, options.badge + " is a folder");
+  if (const fs::path folder = fs::path(options.badge).parent_path(); !folder.empty())
+    expect_folder(folder.string(), "--badge");
+  write_badge(options, certify::unfinished_badge());
+}
+
 certify::Occasion occasion_of(const CertifyOptions& options) {
   return {certify::date_of_now(), options.operated, options.serial, options.arguments};
 }
@@ -163,8 +175,10 @@ int certify_trace(const CertifyOptions& options) {
   spec::expect_plain_file(options.trace);
   std::ifstream csv(options.trace);
   if (!csv) throw spec::InputError(options.trace, 0, 0, "cannot be read");
+  begin_badge(options);
   report.result = certify::judge_trace(report.c, csv, options.trace, report.options);
   certify::write_report(report, options.report);
+  write_badge(options, certify::badge_json(report));
   fmt::print("{} samples, {} off the path, {} of {} corners missed, worst accepted {:.6g}\n", report.result.samples,
              report.result.off, report.result.corners_missed, report.result.corners, report.result.worst.upper);
   if (report.result.cause) fmt::print("one mistake explains everything found: {}\n", *report.result.cause);
@@ -179,8 +193,11 @@ std::string shown(const std::string& section) { return section.empty() ? "progra
 
 void print(const certify::SectionResult& s) {
   const std::uint64_t not_applicable = s.count(certify::Result::not_applicable);
+  std::uint64_t by_design = 0;
+  for (const auto& [id, cases] : s.known_differences) by_design += cases;
   if (not_applicable == s.total()) {
-    fmt::print("{:<34} not applicable\n", shown(s.section));
+    fmt::print("{:<34} not applicable{}\n", shown(s.section),
+               by_design > 0 ? fmt::format(", {} cases known to differ", by_design) : "");
     return;
   }
   fmt::print(
@@ -192,6 +209,7 @@ void print(const certify::SectionResult& s) {
   if (const std::uint64_t part = s.count(certify::Result::partly_judged); part > 0) fmt::print(", {} in part", part);
   if (s.left_out > 0) fmt::print(", {} of {} events left out", s.left_out, s.left_out + s.events);
   if (not_applicable > 0) fmt::print(", {} not applicable", not_applicable);
+  if (by_design > 0) fmt::print(", {} of these known to differ", by_design);
   if (const std::uint64_t not_run = s.count(certify::Result::not_run); not_run > 0) fmt::print(", {} not run", not_run);
   fmt::print("\n");
 }
@@ -283,6 +301,7 @@ int certify(const CertifyOptions& options) {
     if (adapter->kind == certify::AdapterKind::trace) {
       refuse_known(options);
       refuse_evidence(options, "a recorded controller has no answers to keep; its recordings are in the report");
+      begin_badge(options);
       return certify_adapter(options, *adapter, read_inputs(options), tolerances_of(options), occasion_of(options));
     }
     campaign.controller = adapter->shell_command();
@@ -317,6 +336,7 @@ int certify(const CertifyOptions& options) {
                      campaign.seed));
   if (!golden.empty()) detail(fmt::format("corpus {} of {}", campaign.corpus, golden.string()));
   evidence.begin(campaign, adapter ? adapter->name : "", golden);
+  begin_badge(options);
   const auto start = std::chrono::steady_clock::now();
   const auto elapsed = [start] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -346,7 +366,11 @@ int certify(const CertifyOptions& options) {
   };
   certify::Certificate certificate = certify::certify(campaign);
   certificate.occasion = occasion_of(options);
+  if (adapter)
+    for (const auto& [id, cases] : certify::known_differences(certificate))
+      if (const auto* known = adapter->known_difference(id)) certificate.known_reasons[id] = known->reason;
   const std::vector<fs::path> findings = certify::write_report(certificate, options.report);
+  write_badge(options, certify::badge_json(certificate));
   print(certificate, findings, options.report, elapsed());
   evidence.finish(certificate, findings);
   if (options.widths) print_widths(certificate);

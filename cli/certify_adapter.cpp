@@ -13,10 +13,12 @@
 
 #include "certify/adapter_report.h"
 #include "certify/adapter_run.h"
+#include "certify/badge.h"
 #include "certify/running_mark.h"
 #include "cli/progress.h"
 #include "cli/stop.h"
 #include "spec/language/decimal.h"
+#include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
 #include "spec/language/parameter.h"
 
@@ -63,6 +65,10 @@ void print(const certify::AdapterCampaign& campaign, const certify::AdapterCerti
 
 }  // namespace
 
+void write_badge(const CertifyOptions& options, const std::string& badge) {
+  if (!options.badge.empty()) spec::write_file(options.badge, badge);
+}
+
 int certify_adapter(const CertifyOptions& options, const certify::Adapter& adapter, std::vector<spec::Case> cases,
                     const Tolerances& tolerances, const certify::Occasion& occasion) {
   if (!options.corpus.empty() || !options.sections.empty() || options.widths)
@@ -95,6 +101,7 @@ int certify_adapter(const CertifyOptions& options, const certify::Adapter& adapt
   certify::AdapterCertificate certificate = certify::certify_adapter(campaign);
   certificate.occasion = occasion;
   certify::write_report(campaign, certificate);
+  write_badge(options, certify::badge_json(certificate));
   print(campaign, certificate);
   return certify::exit_status(certificate);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "certify/adapter.h"
@@ -16,6 +17,9 @@ namespace toolcomp::cli {
 struct Tolerances {
   std::optional<double> linear, rotary;
 };
+
+// Writes the file of --badge, where there is one.
+void write_badge(const CertifyOptions& options, const std::string& badge);
 
 // `cases`: the programs named; without them, and with --cases, generated ones.
 int certify_adapter(const CertifyOptions& options, const certify::Adapter& adapter, std::vector<spec::Case> cases,

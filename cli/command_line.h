@@ -56,7 +56,7 @@ class CommandLine {
 
 // The verbs, file by file (options_*.cpp).
 void define_programs(CommandLine& line);      // run, diff, explain, view, serve
-void define_certificates(CommandLine& line);  // certify, verify, replay, kit
+void define_certificates(CommandLine& line);  // certify, results, verify, replay, kit
 void define_fuzzing(CommandLine& line);       // fuzz, and what a campaign calls
 void define_reference(CommandLine& line);     // corpus, spec, config
 void define_shell(CommandLine& line);         // completion, manual

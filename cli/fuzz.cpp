@@ -127,7 +127,8 @@ int fuzz(const FuzzOptions& options) {
   campaign.bench.inputs.push_back(campaign.folder / "regression");
   detail(fmt::format("campaign {}: {} targets, {} jobs, seed {}", campaign.folder.string(), campaign.targets.size(),
                      campaign.jobs, campaign.seed));
-  const std::string goes_on = fmt::format("`toolcomp fuzz --campaign {}` resumes the campaign", campaign.folder.string());
+  const std::string goes_on =
+      fmt::format("`toolcomp fuzz --campaign {}` resumes the campaign", campaign.folder.string());
   if (temporary) note(fmt::format("seed {}; if this is killed, {}", campaign.seed, goes_on));
   const Stop stop;
   campaign.stop = [&stop] { return !stop.why().empty(); };

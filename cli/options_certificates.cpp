@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Verbs that judge a control: certify, verify, replay, kit.
+// Verbs that judge a control: certify, results, verify, replay, kit.
 #include <memory>
 
 #include "cli/command_line.h"
@@ -46,6 +46,8 @@ void define_certify(CommandLine& line) {
   take(sub, "--report", options->report, "FOLDER", "Folder of the report");
   take(sub, "--evidence", options->evidence, "FILE",
        "FILE.tar.zst: write everything needed to repeat the certificate (docs/evidence.md); see verify");
+  take(sub, "--badge", options->badge, "FILE",
+       "Write a badge that shields.io reads (endpoint): sections that conform, or the number of findings");
   take(sub, "--sign", options->sign, "KEY", "The gpg key that signs the evidence, into FILE.tar.zst.asc");
   take(sub, "--cases", options->cases, "N",
        "Generated cases in each section (default: 1000, and 0 if inputs are named)");
@@ -72,6 +74,27 @@ void define_certify(CommandLine& line) {
        "Name of the person who certifies, for the first page of the report");
   take(sub, "--serial", options->serial, "TEXT", "Serial number of the controller, for the first page of the report");
   take_samples(sub, options->samples);
+}
+
+void define_results(CommandLine& line) {
+  const auto options = std::make_shared<ResultsOptions>();
+  CLI::App* sub = line.verb(
+      "results",
+      "One table of what several controllers were certified to do\n"
+      "Reads the certificate.json of each folder, as `certify --report` writes it, and makes a page of them: the "
+      "sections of the manuals, and what each controller does there: conforms, differs by design, has findings, was "
+      "judged in part, or was not asked. Each place leads to the clauses.\n"
+      "A certificate is believed as it stands: `toolcomp verify` checks the evidence of one.",
+      [options] { return results(*options); });
+  sub->footer(R"(Examples:
+  Two sections of the built-in fast engine, and a page of them:
+    $ toolcomp certify --controller fast --section fanuc/tool-offset \
+        --section fanuc/tool-length-offset --cases 20 --report fast
+    $ toolcomp results fast --out results.html)");
+  take(sub, "folders", options->folders, "FOLDER", "Folders that certify --report wrote, one for each controller")
+      ->required();
+  take(sub, "--out", options->out, "FILE", "The page (default: results.html)");
+  sub->add_flag("--json", options->json, "The table as JSON on standard output; then there is a page with --out alone");
 }
 
 void define_verify(CommandLine& line) {
@@ -172,6 +195,7 @@ void define_kit(CommandLine& line) {
 
 void define_certificates(CommandLine& line) {
   define_certify(line);
+  define_results(line);
   define_verify(line);
   define_replay(line);
   define_kit(line);

@@ -27,6 +27,16 @@ void expect_folder(const std::string& path, const std::string& option) {
     throw spec::InputError(option, 0, 0, place.string() + " is not a folder");
 }
 
+void expect_page_of_ours(const std::string& file) {
+  constexpr std::size_t kHead = 1000;
+  std::error_code error;
+  if (!fs::exists(file, error)) return;
+  std::string head(kHead, '\0');
+  head.resize(spec::file_source(file)->read(head.data(), head.size()));
+  if (head.find(R"(name="generator" content="toolcomp")") == std::string::npos)
+    throw spec::InputError(file, 0, 0, "is there and no page of toolcomp; name another one with --out");
+}
+
 void report_alarm(const std::string& file, std::uint64_t line, std::uint64_t column, std::string_view number,
                   std::string_view message) {
   // Lines of a case are those of the program in it.

@@ -23,6 +23,9 @@ using certify::input::read_setup;
 // Throws spec::InputError that names the option if no folder can stand at `path`, before hours of work end there.
 void expect_folder(const std::string& path, const std::string& option);
 
+// A file of that name which nobody named is replaced if it is a page of toolcomp. Throws spec::InputError for another.
+void expect_page_of_ours(const std::string& file);
+
 // Reports an alarm of reading or of the run on standard error: FILE:LINE:COLUMN: NUMBER message. What is no alarm has
 // no number.
 void report_alarm(const std::string& file, std::uint64_t line, std::uint64_t column, std::string_view number,

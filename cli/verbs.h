@@ -91,6 +91,7 @@ struct CertifyOptions {
   std::string arguments;                 // the command line as a shell reads it
   std::string evidence;                  // the file of the bundle; empty: none
   std::string sign;                      // the key of its signature; empty: none
+  std::string badge;                     // the file of the badge; empty: none
   std::vector<std::string> words;        // of the command line
 };
 int certify(const CertifyOptions& options);
@@ -145,6 +146,13 @@ struct SettleOptions {
   double timeout = 10;
 };
 int fuzz_settle(const SettleOptions& options);
+
+struct ResultsOptions {
+  std::vector<std::string> folders;  // each with a certificate.json
+  std::string out;                   // the page; empty: results.html, and none with `json`
+  bool json = false;
+};
+int results(const ResultsOptions& options);
 
 struct VerifyOptions {
   std::string file;

@@ -28,17 +28,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The page beside no one's toes: a file of another kind that has its name stays.
 std::string usual_file(const ViewOptions& options) {
-  constexpr std::size_t kHead = 1000;
   if (options.program == "-") return "-";
   const std::string file = fs::path(options.program).stem().string() + ".html";
-  std::error_code error;
-  if (!fs::exists(file, error)) return file;
-  std::string head(kHead, '\0');
-  head.resize(spec::file_source(file)->read(head.data(), head.size()));
-  if (head.find(R"(name="generator" content="toolcomp")") == std::string::npos)
-    throw spec::InputError(file, 0, 0, "exists and is not a page of toolcomp; name another file with --out");
+  expect_page_of_ours(file);
   return file;
 }
 

@@ -40,9 +40,10 @@ MECHANISMS = {
     (2, "C", 3, 0, "B", 2, 1): BRIDGE,
     (21, "B", 2, 1, "C", 3, 1): MAX,
 }
-# Parameters that say nothing about where the tool goes on these machines, and those that name the machine.
-WITHOUT_EFFECT = {"1260", "1403#5", "3401#0", "6241", "6251", "6254", "19696#6", "19696#7", "19745", "19738", "19739",
-                  "19741", "19742", "19743", "19744", "19608#5", "6261", "19605#5", "19630", "19631",
+# Parameters that say nothing about where the tool goes on these machines (of 1411 the translation asks whether there is
+# a feed), and those that name the machine.
+WITHOUT_EFFECT = {"1260", "1411", "1403#5", "3401#0", "6241", "6251", "6254", "19696#6", "19696#7", "19745", "19738",
+                  "19739", "19741", "19742", "19743", "19744", "19608#5", "6261", "19605#5", "19630", "19631",
                   "5001#5"}
 # These count only for a program with length offsets, or with cutter compensation.
 OF_LENGTH = {"5001", "5001#0", "5001#1", "5001#2", "5001#3", "5001#6"}

@@ -77,6 +77,8 @@ class Translation:
         self.plane = "17"
         self.rests = 0.0  # s
         self.ended = False
+        self.cuts = False  # G01, G02 or G03 is in force
+        self.feed = bool(decimal(setup.get("parameters", {}).get("1411", 0)))  # at power-on
 
     def line(self, text, number):
         if self.ended:
@@ -88,6 +90,7 @@ class Translation:
         codes = [plain(value) for letter, value in words if letter == "G"]
         if "4" in codes:
             return self.rest(dict(words), number)
+        self.follow_feed(words, codes, letters, number)
         if self.kinematics:
             self.follow_rotary(words, codes, number)
         for kind in "HD":
@@ -130,6 +133,13 @@ class Translation:
                 self.lengths.append((number, "Z" in letters and not self.incremental))
             self.length_on = False
         return " ".join(word for word in out if word)
+
+    def follow_feed(self, words, codes, letters, number):
+        """FANUC refuses a cutting move without a feed (PS0011); the interpreter alone does not look at it."""
+        self.cuts = next((code != "0" for code in codes if code in ("0", "1", "2", "3")), self.cuts)
+        self.feed = next((bool(decimal(value)) for letter, value in words if letter == "F"), self.feed)
+        if self.cuts and not self.feed and letters & set(AXES):
+            raise NotApplicable(f"line {number}: a cutting move without F")
 
     def rest(self, words, number):
         """FANUC's P is milliseconds, LinuxCNC's seconds."""

@@ -51,6 +51,7 @@ Json facts(const Record& record) {
             {"asked", record.asked},
             {"result", name(r.result)}};
   if (!r.why.empty()) json["why"] = r.why;
+  if (!r.known_difference.empty()) json["known_difference"] = r.known_difference;
   if (r.result == Result::differs) {
     json["kind"] = r.key.kind;
     json["clause"] = r.key.clause;
@@ -110,6 +111,7 @@ Record read_record(std::uint64_t number, std::string_view line) {
     record.asked = json.at("asked").get<bool>();
     r.result = named<Result, kResults>(json.at("result").get<std::string>(), place);
     r.why = text("why");
+    r.known_difference = text("known_difference");
     if (r.result == Result::differs) r.key = {r.section, text("clause"), text("kind")};
     if (json.contains("fault"))
       record.fault =

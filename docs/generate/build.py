@@ -18,6 +18,7 @@ import formal
 import pages
 import pictures
 import readings
+import results
 from formulas import formulas
 from tree import ROOT
 
@@ -42,6 +43,9 @@ GENERATORS = {
     "picture": pictures.picture,
     "readings-keys": readings.keys,
     "readings-parameters": readings.parameters,
+    "results-details": results.details,
+    "results-names": results.names,
+    "results-table": results.table,
     "worked": pictures.worked,
     "counted": figures.counted,
     "sections": figures.sections,

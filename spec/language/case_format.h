@@ -28,6 +28,7 @@ struct Reply {
   std::vector<TextEvent> events;
   std::vector<FieldSet> fields;  // for each event, the fields that the answer gives
   std::string not_applicable;    // instead of events: what the controller does not have; otherwise empty
+  std::string known_difference;  // with not_applicable: the name of what it does otherwise by design; otherwise empty
   std::string error;             // instead of events: why it could not run the case; otherwise empty
 };
 

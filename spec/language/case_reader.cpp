@@ -37,6 +37,13 @@ CaseSource source_from(const Node& node, const Reader& read) {
   return source;
 }
 
+// Of a known difference, as manifests of adapters have it.
+bool is_name(std::string_view text) {
+  constexpr std::size_t kLongest = 64;
+  return !text.empty() && text.size() <= kLongest && text.front() != '-' &&
+         text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string_view::npos;
+}
+
 }  // namespace
 
 Case case_from(const Node& root, const Reader& read) {
@@ -93,6 +100,11 @@ Reply read_reply(std::string_view line, const Axes& axes, const std::string& fil
   }
   if (not_applicable != nullptr && events == nullptr) {
     reply.not_applicable = reason(*not_applicable, "not_applicable");
+    if (const Node* known = root.find("known_difference")) {
+      reply.known_difference = read.string(*known, "known_difference");
+      if (!is_name(reply.known_difference))
+        read.fail(known->at, "known_difference: must be a name of lower case letters, digits and hyphens");
+    }
     return reply;
   }
   if (events == nullptr) read.fail(root.at, "reply: without events");

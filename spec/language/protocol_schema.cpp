@@ -68,7 +68,8 @@ std::string_view answer_schema() {
       "type": "object", "additionalProperties": false, "required": ["id", "not_applicable"],
       "properties": {
         "id": { "type": "string" },
-        "not_applicable": { "description": "Why the case does not apply: what the control does not have.", "type": "string", "minLength": 1 }
+        "not_applicable": { "description": "Why the case does not apply: what the control does not have.", "type": "string", "minLength": 1 },
+        "known_difference": { "description": "Name of the difference, if the control does this otherwise by design.", "type": "string", "pattern": "^[a-z0-9][a-z0-9-]{0,63}$" }
       }
     },
     "error": {

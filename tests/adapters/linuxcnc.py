@@ -27,6 +27,16 @@ class Translation(unittest.TestCase):
     def test_line_for_line(self):
         self.assertEqual(lines("%\nO1\nN10 G01 X1. F100 (comment)\n\nM30\n"), ["", "", "G1 X1. F30000", "", "M2"])
 
+    def test_a_cutting_move_needs_a_feed(self):
+        for program in ("G01 X1.\n", "G00 X1.\nG02 X2. R5.\n", "G01 X1. F5\nX2. F0\n"):
+            with self.assertRaises(NotApplicable, msg=program):
+                lines(program)
+        for program in ("G00 X1.\n", "G01\nG00 X1.\n", "F5\nG01 X1.\n"):
+            self.assertEqual(len(lines(program)), program.count("\n") + 1)
+        self.assertEqual(lines("G01 X1.\n", {**THREE, "parameters": {"1411": 100}})[0], "G1 X1.")
+        with self.assertRaises(NotApplicable):
+            lines("G01 X1.\n", {**THREE, "parameters": {"1411": "0"}})
+
     def test_offsets_stand_beside_their_codes(self):
         self.assertEqual(lines("G43 H1 Z5\nG41 D1 X1\nG40 X2\n")[:3], ["G43 Z5 H1", "G41 X1 D1", "G40 X2"])
         self.assertEqual(lines("D1\nG41 X1\n")[:2], ["", "G41 X1 D1"])

@@ -45,6 +45,12 @@ TEST_F(LinuxCnc, TheInterpreterAgrees) {
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
   const json certificate = json::parse(read(folder.path("report/certificate.json")));
   for (const json& section : certificate.at("sections")) EXPECT_GT(section.at("results").at("agrees"), 5) << section;
+  // What it does otherwise is counted by name, and said.
+  EXPECT_GT(certificate.at("sections")[1].at("known_differences").at("outer-corner"), 0);
+  EXPECT_NE(certificate.at("verdict").get<std::string>().find(" cases differ by design"), std::string::npos);
+  EXPECT_NE(
+      certificate.at("known_differences").at("outer-corner").get<std::string>().find("fanuc.cutter-c.outer-obtuse"),
+      std::string::npos);
 }
 
 TEST_F(LinuxCnc, ThreeAxesConform) {

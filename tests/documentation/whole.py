@@ -21,7 +21,7 @@ import urllib.parse
 
 LOADS = {("script", "src"), ("link", "href"), ("img", "src"), ("source", "src"), ("iframe", "src"), ("object", "data"),
          ("use", "href"), ("image", "href"), ("input", "src")}
-PAGES = ("index.html", "first-certificate.html", "sections/fanuc/leading-edge-offset.html", "reliability.html", "variations.html")
+PAGES = ("index.html", "results.html", "first-certificate.html", "sections/fanuc/leading-edge-offset.html", "reliability.html", "variations.html")
 
 
 class Page(html.parser.HTMLParser):

@@ -261,6 +261,13 @@ TEST(Reply, MaySayThatTheCaseDoesNotApply) {
   EXPECT_EQ(reply.id, "7");
   EXPECT_EQ(reply.not_applicable, "no such axis");
   EXPECT_TRUE(reply.events.empty());
+  EXPECT_EQ(reply.known_difference, "");
+  const std::string by_design = R"({"id":"7","not_applicable":"it runs an arc there","known_difference":)";
+  EXPECT_EQ(read_reply(by_design + "\"outer-corner\"}", Axes("XYZ"), "reply").known_difference, "outer-corner");
+  for (const std::string& name : {std::string("Outer"), std::string("a b"), std::string("-a"), std::string(),
+                                  std::string(65, 'a'), std::string("é")})
+    EXPECT_THROW(read_reply(by_design + '"' + name + "\"}", Axes("XYZ"), "reply"), InputError) << name;
+  EXPECT_THROW(read_reply(by_design + "1}", Axes("XYZ"), "reply"), InputError);
   // Beside events it is a field like others that are unknown.
   EXPECT_EQ(read_reply(R"({"id":"7","events":[{"kind":"note","line":1,"text":"x"},{"kind":"move","line":2}]})",
                        Axes("XYZ"), "reply")
