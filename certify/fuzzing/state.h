@@ -25,8 +25,8 @@ struct State {
   std::uint64_t milliseconds = 0;  // sum of all starts
   std::map<std::string, TargetState> targets;
   TargetState specification;  // of the third voice (third_voice.h)
-  std::map<std::string, std::uint64_t>
-      ends;  // how workers ended, if not in time: "crash", "hang", "killed by signal 9"
+  // How workers ended, if not in time: "crash", "hang", "killed by signal 9".
+  std::map<std::string, std::uint64_t> ends;
   std::map<std::string, std::uint64_t> groups;  // number of cases of each finding, by the name of its folder
   std::uint64_t next_slice = 1;
   std::set<std::uint64_t> open;  // started slices whose counters are not yet in `targets`

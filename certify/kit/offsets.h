@@ -16,8 +16,8 @@ namespace toolcomp::certify::kit {
 
 // The offsets of a case as a control of this memory reads them, by the numbers of the case.
 struct CaseOffsets {
-  std::map<std::uint32_t, spec::OffsetEntry> h,
-      d;  // the numbers its program names, except 0 and those beyond the memory
+  // By the numbers that the program names, except 0 and those beyond the memory.
+  std::map<std::uint32_t, spec::OffsetEntry> h, d;
 };
 
 // The offsets of the vector for this machine. With memory A, geometry and wear are one value. A number that only one

@@ -276,8 +276,8 @@ constexpr bool compares_positions(spec::Clause clause) {
 // h' + h is no less than √E from h = √E down, and h is off by √E at most, the square root of what R² is rounded by.
 //
 // In the half circle itself, h = 0, the radicand may come out as ±E as well: negative it is no arc, or a half circle
-// (the decision is a near tie), positive it leaves the centre √E beside the chord. Numbers that are exact doubles give
-// it exactly.
+// (the decision is a near tie), positive it leaves the centre √E away from the chord. Numbers that are exact doubles
+// give it exactly.
 inline double height_error(double radius, double height, double unit, double k) {
   const double e = k * 2 * radius * unit;
   const double least = std::sqrt(std::fmax(0.0, height * height - e));

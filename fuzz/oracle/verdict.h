@@ -66,11 +66,11 @@ struct Verdict {
   Widths widths;               // widths granted to the numbers, judged or not
   std::uint64_t events = 0;    // events of the model that were judged against an event of the other side
   std::uint64_t left_out = 0;  // events of the model left out by JudgeOptions::known
-  std::map<spec::Clause, std::uint64_t>
-      left_out_for;  // how many of them rest on each clause; an event may rest on several
+  // How many of them rest on each clause; an event may rest on several.
+  std::map<spec::Clause, std::uint64_t> left_out_for;
   OpenEvents open;
-  std::uint64_t out_of_scope =
-      0;  // events of the model after one with the reason OUT_OF_SCOPE (of a controller: not judged)
+  // Events of the model after one with the reason OUT_OF_SCOPE (of a controller: not judged).
+  std::uint64_t out_of_scope = 0;
   std::optional<Beyond> beyond;  // the place up to which the program was judged
   std::uint64_t decisions = 0;   // of the model, by sign
   std::uint64_t near_ties = 0;   // decisions inside their band
@@ -95,8 +95,8 @@ struct JudgeOptions {
 struct ModelRun {
   std::vector<model::Event> events;
   std::optional<Beyond> beyond;
-  std::vector<std::size_t>
-      asked;  // for every event: the number of decisions by sign that had been taken when it was given
+  // For every event: the number of decisions by sign that had been taken when it was given.
+  std::vector<std::size_t> asked;
   model::Recorder recorder{true};
 };
 // Forced outcomes, by index of the decision.
