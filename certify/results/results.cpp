@@ -255,7 +255,7 @@ Controller of_recordings(const Reader& read, const Node& root) {
   for (const Node& run : array_of(read, root, "runs").items) {
     read.expect(run, Kind::table, "a run");
     const std::string section = run.find("section") == nullptr ? std::string() : section_of(read, run);
-    const std::string outcome = read.string(read.needed(run, "outcome"), "outcome");
+    const std::string& outcome = read.string(read.needed(run, "outcome"), "outcome");
     Cell& cell = c.cells[section];
     Counted& sum = counted[section];
     if (outcome == "not applicable") {

@@ -54,8 +54,8 @@ def words(controller, section):
         first = next((f["clause"] for f in controller["findings"] if f["section"] == section and f["clause"] in section_of()), "")
         page = f"sections/{section_of()[first]}.md#{first}" if first else f"sections/{section}.md"
         return f"[{several(found['findings'], 'finding')}]({page})"
-    if found["standing"] == "differs by design":
-        return f"[differs by design](#{anchor(controller)})"
+    if found["standing"] == "differs by design" or found.get("why"):
+        return f"[{found['standing']}](#{anchor(controller)})"
     if found["standing"] in ("not asked", "not applicable"):
         return found["standing"]
     return f"[{found['standing']}](sections/{section}.md#clauses)"

@@ -221,6 +221,29 @@ TEST_F(KnownDifferences, ExplainFindingsInTheirLines) {
   EXPECT_NE(outcome.err.find("known.txt:1:1: "), std::string::npos) << outcome.err;
 }
 
+// And so does the table of `toolcomp results`, by the adapter's reason.
+TEST_F(KnownDifferences, TheBadgeSaysAsMuch) {
+  known();
+  const auto badge = [&](const std::string& script, int status) {
+    adapter(script, "known_differences = \"known.toml\"\n");
+    EXPECT_EQ(certify("--badge " + folder.path("badge.json")).status, status) << script;
+    const json read = json::parse(toolcomp::test::read(folder.path("badge.json")));
+    return read.at("message").get<std::string>() + ": " + read.at("color").get<std::string>();
+  };
+  const std::string wide = "printf 'X,Y,Z\\n0,0,0\\n10,0,0\\n15,0.5,0\\n20,0,0\\n' >trace.csv\n";
+  EXPECT_EQ(badge("printf '" + kGood + "' >trace.csv", 0), "conforms in 1 program: brightgreen");
+  EXPECT_EQ(badge(wide, 1), "1 program differs: red");
+  EXPECT_EQ(badge("echo 'line 1: G01' >not_applicable.txt", 3), "nothing judged: lightgrey");
+  EXPECT_EQ(badge(wide + "echo wide 2 2 >known.txt", 0), "1 program differs by design: yellowgreen");
+  const Outcome table = toolcomp("results --json " + folder.path("report"));
+  ASSERT_EQ(table.status, 0) << table.err;
+  const json controller = json::parse(table.out).at("controllers").at(0);
+  EXPECT_EQ(controller.at("name"), "fake");
+  EXPECT_EQ(controller.at("cells").at("").at("standing"), "differs by design");
+  EXPECT_EQ(controller.at("cells").at("").at("known_differences"), json::parse(R"({"wide": 1})"));
+  EXPECT_EQ(controller.at("known_differences"), json::parse(R"({"wide": "r"})"));
+}
+
 TEST_F(KnownDifferences, ExplainAlarmsOfTheModel) {
   known("alarms = [\"PS0022\"]\n");
   adapter("printf '" + kGood + "' >trace.csv", "known_differences = \"known.toml\"\n");
