@@ -20,7 +20,7 @@ enum class Result : std::uint8_t {
   not_applicable,  // to this controller
   not_run,         // left out after many faults
   partly_judged,   // agrees in what was judged, but more than policy::kMostWide of its values were not judged, or it
-                  // goes beyond what is supported
+                   // goes beyond what is supported
 };
 inline constexpr std::size_t kResults = 7;
 std::string_view name(Result result);

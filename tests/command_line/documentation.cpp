@@ -26,13 +26,11 @@ std::string between(const std::string& page, const std::string& begin, const std
 TEST(Documentation, HowWellTheClausesAreKnownIsCurrent) {
   const std::string readme = read(TOOLCOMP_SOURCE_DIR "/README.md");
   std::string said = "of " + between(readme, "Of ", " clauses") + " clauses";
-  const char* before = ", ";
   for (const auto& [known, words] :
        {std::pair{"manual", " from the manual"}, std::pair{"sister", " from a sister manual"},
         std::pair{"recollection", " from recollection"}, std::pair{"ours", " ours"}}) {
     const std::string row = between(readme, std::string("\n| ") + known + " | ", " |\n");
-    said += before + row.substr(row.rfind(' ') + 1) + words;
-    before = ", ";
+    said += ", " + row.substr(row.rfind(' ') + 1) + words;
   }
   EXPECT_TRUE(toolcomp("spec sections").out.ends_with("\n" + said + "\n")) << said;
 }
