@@ -100,7 +100,7 @@ std::string preparation(const Kit& kit) {
   html +=
       check("Nothing on the table, no tool in the spindle, nothing in the way of any axis inside the travels below.");
   html += check("Spindle and coolant off. No program of the kit starts them.");
-  html += check("Compare the control with the list at the end, " The machine ".");
+  html += check("Compare the control with the list at the end, \"The machine\".");
   html += is_klartext(kit) ? preparation_klartext(kit) : preparation_fanuc(kit);
   html += check("Single block OFF, dry run OFF, mirror image OFF, feed override 100 %, rapid override low.");
   html += check("Record the positions of the axes with a time column (seconds), every 20 ms or more often, as CSV: " +
