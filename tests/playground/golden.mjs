@@ -70,9 +70,9 @@ for (const wrong of ['control = "fanuc"\naxes = ["X", "X"]\n', `${setup}[paramet
 const said = lines(engine.run('N10 G90 G17 G01 X10. F100\nN20 G03 X50. R10.\n', setup)).filter(({ kind }) => kind === 'said');
 assert.deepEqual(said.map(({ what, number, line }) => [what, number, line]), [['alarm', 'PS0020', 2]]);
 assert.ok(said[0].clause_text.startsWith(`${said[0].clause}\n`) && said[0].clause_text.includes('source'));
-// What may have been meant by a word, in the words of `toolcomp run`.
+// What may have been meant by a word (tests/command_line/spoiled.cpp has the words of each).
 const [comma] = lines(engine.run('N10 G01 X1,5 F100\n', setup)).filter(({ kind }) => kind === 'said');
-assert.ok(comma.text.endsWith(', "X1,5": a comma; numbers have a point') && comma.column === 11, JSON.stringify(comma));
+assert.ok(comma.text.includes(', "X1,5": a comma') && comma.column === 11, JSON.stringify(comma));
 // 9,999 calls of three blocks are too many for exact numbers, not for the fast engine: that gives 2 x 9,999 and more.
 const calls = 'O0001\nG91 G01 F100\nM98 P2 L9999\nM30\nO0002\nX1.\nX-1.\nM99\n';
 assert.ok(lines(engine.run(calls, setup)).some(({ kind, text }) => kind === 'fault' && text.includes('20000')));

@@ -50,7 +50,8 @@ TEST(Architecture, DependenciesRunOneWay) {
       {"certify", {"certify", "corpus", "formal", "fuzz", "model", "fast", "spec"}},
       {"cli", {"cli", "certify", "corpus", "formal", "fuzz", "model", "fast", "spec"}},
       {"c", {"c", "fast", "spec"}},
-      {"python", {"python", "certify", "corpus", "formal", "fuzz", "model", "fast", "spec"}}};
+      {"python", {"python", "certify", "corpus", "formal", "fuzz", "model", "fast", "spec"}},
+      {"playground", {"playground", "cli", "certify", "fuzz", "model", "fast", "spec"}}};
   const std::regex include(R"re(#include "([a-z_]+)/)re");
   std::size_t seen = 0;
   for (const auto& [room, rooms] : allowed) {
@@ -282,7 +283,7 @@ TEST(Architecture, EveryFileOfCodeNamesItsLicense) {
   const std::string wanted = "SPDX-License-Identifier: Apache-2.0";
   std::size_t seen = 0;
   for (const char* room : {"adapters", "c", "certify", "cli", "cmake", "corpus", "docs", "engines", "fast", "formal",
-                           "fuzz", "model", "oss-fuzz", "packaging", "python", "spec", "tests"}) {
+                           "fuzz", "model", "oss-fuzz", "packaging", "playground", "python", "spec", "tests"}) {
     for (const auto& entry : fs::recursive_directory_iterator(kSource / room)) {
       const fs::path& file = entry.path();
       const bool is_code = file.filename() == "CMakeLists.txt" || code.contains(file.extension());
