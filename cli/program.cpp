@@ -34,7 +34,7 @@ void expect_page_of_ours(const std::string& file) {
   std::string head(kHead, '\0');
   head.resize(spec::file_source(file)->read(head.data(), head.size()));
   if (head.find(R"(name="generator" content="toolcomp")") == std::string::npos)
-    throw spec::InputError(file, 0, 0, "is there and no page of toolcomp; name another one with --out");
+    throw spec::InputError(file, 0, 0, "exists and is not a page of toolcomp; name another file with --out");
 }
 
 void report_alarm(const std::string& file, std::uint64_t line, std::uint64_t column, std::string_view number,

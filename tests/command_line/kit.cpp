@@ -418,7 +418,7 @@ TEST_F(Kit, BadInputToMakeIsNamedWithItsPlace) {
   refused(make("control = \"fanuc\"\naxes = [\"X\", \"Q\"]\n", kTravels), "machine.toml:2:14: axes");
   refused(make(kMachine, " --travel X=-300,300 --travel Y=-250,250"), "axis Z has no travel");
   refused(make(kMachine, kTravels + " --travel X=-1,1"), "\"X=-1,1\": the axis is given twice");
-  refused(make(kMachine, " --travel X=3"), "--travel: \"X=3\": a travel is AXIS=LEAST,GREATEST");
+  refused(make(kMachine, " --travel X=3"), "--travel: \"X=3\": expected AXIS=LEAST,GREATEST");
   refused(make(kMachine, " --travel X=-1,5 --travel Y=-250,250 --travel Z=-9,9"), "the place of the marks");
   refused(make(kMachine, kTravels + " --section fanuc/nothing"), "no section \"fanuc/nothing\"");
   fs::create_directories(folder.path("full"));

@@ -76,8 +76,8 @@ TEST_F(Manners, WhatIsNearNothingGetsNoSuggestion) {
     EXPECT_EQ(outcome.status, 2) << arguments;
     EXPECT_FALSE(has(outcome.err, "did you mean")) << outcome.err;
   }
-  EXPECT_TRUE(has(toolcomp("frobnicate").err, "there are run, ")) << toolcomp("frobnicate").err;
-  EXPECT_TRUE(has(toolcomp("kit frobnicate").err, "there are make, judge")) << toolcomp("kit frobnicate").err;
+  EXPECT_TRUE(has(toolcomp("frobnicate").err, "expected one of run, ")) << toolcomp("frobnicate").err;
+  EXPECT_TRUE(has(toolcomp("kit frobnicate").err, "expected one of make, judge")) << toolcomp("kit frobnicate").err;
 }
 
 TEST_F(Manners, HelpIsThereInEveryForm) {

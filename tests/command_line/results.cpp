@@ -108,8 +108,8 @@ TEST_F(Results, OfWhatCertifyWrites) {
   const std::string html = toolcomp::test::read(page);
   const std::string first = html.substr(html.find("<h1>"), html.find("</p>") - html.find("<h1>"));
   EXPECT_NE(first.find("length offsets 1</a>, certified 20"), std::string::npos) << first;
-  EXPECT_EQ(all["controllers"][1]["causes"][0]["cause"], "positions come a block late");
-  EXPECT_NE(html.find("look like: positions come a block late.</p>"), std::string::npos);
+  EXPECT_EQ(all["controllers"][1]["causes"][0]["cause"], "positions come one block late");
+  EXPECT_NE(html.find("look like: positions come one block late.</p>"), std::string::npos);
   // The finding says its clause, in words.
   const std::string clause = all["controllers"][1]["findings"][0]["clause"];
   ASSERT_NE(clause, "");

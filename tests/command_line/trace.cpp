@@ -161,7 +161,7 @@ TEST_F(Trace, BadInput) {
   refused(trace(folder.write("empty.csv", "")) + program + setup, "empty.csv:1:1: no header");
   refused(trace(folder.write("few.csv", "X,Y,Z\n0,0,0\n9.94,0\n")) + program + setup, "few.csv:3:7: fewer values");
   refused(trace(folder.write("word.csv", "X,Y,Z\n0,0,0\n9.94,0,up\n")) + program + setup, "word.csv:3:8: \"up\"");
-  refused(trace(program) + program + setup, "p.h:1:1: a column is");
+  refused(trace(program) + program + setup, "p.h:1:1: expected time or an axis");
   refused(trace(csv) + folder.path("none.h") + setup, "none.h: cannot be read");
   refused(trace(csv) + folder.path("") + setup, "Is a directory");
   refused(trace(csv) + folder.write("nul.h", std::string("L X+1\n;\0\n", 9)) + setup, "nul.h:2:2:");

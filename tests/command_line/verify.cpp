@@ -202,7 +202,7 @@ TEST_F(Verify, ACaseAddedIsRefused) {
     cases.put_into(members);
     adapt_manifest(members);
   });
-  expect_refused(bundle->other, "one-more: is no golden case");
+  expect_refused(bundle->other, "one-more: is not a golden case");
 }
 
 // A vector that is another program, under its own name.
@@ -262,7 +262,7 @@ TEST_F(Verify, AnEditedCertificateIsRefused) {
   edit([](Json& c) { c["clauses"].begin().value()["reached"] = 1'000'000; });
   expect_refused(bundle->other + " --all", "certificate.json: clauses");
   edit([](Json& c) { c["identity"]["clauses_sha256"] = std::string(64, '0'); });
-  expect_refused(bundle->other, "other clauses");
+  expect_refused(bundle->other, "clauses other than those");
   edit([](Json& c) { c.erase("findings"); });
   expect_refused(bundle->other, "certificate.json: ");
   bundle->change([](Members& members) {
@@ -282,7 +282,7 @@ TEST_F(Verify, AnotherVersionsCorpusIsRefused) {
   // And made with that one.
   const Bundle old;
   ASSERT_EQ(old.certify(kServe, "--corpus " + corpus).status, 0);
-  expect_refused(old.file, "rests on 0.9.0");
+  expect_refused(old.file, "the certificate used 0.9.0");
   EXPECT_EQ(toolcomp("verify " + old.file + " --corpus " + corpus).status, 0);
   // Vectors that are not those of their manifest are nobody's.
   fs::remove(corpus + "/fanuc/tool-length-offset/examples.jsonl");

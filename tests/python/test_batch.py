@@ -116,7 +116,7 @@ def test_alarm() -> None:
     ("columns", "message"),
     [
         ({"X": [1.0], "Y": [1.0, 2.0]}, "Y: 2 values, and X has 1"),
-        ({"Q": [1.0]}, "Q: no word of a line"),
+        ({"Q": [1.0]}, "Q: not a word of a line"),
         ({"X": [1.0, np.nan]}, "X: value 1 is"),
         ({"X": [[1.0]]}, "X: not one-dimensional"),
     ],
