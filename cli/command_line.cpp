@@ -27,18 +27,20 @@ const std::map<std::string, Coloring> kColorings{
 
 constexpr const char* kAbout =
     "Exact reference model of CNC tool compensation, and judge of controls\n"
-    "toolcomp computes what a numerical control makes of a program under tool compensation: exactly, block by block, "
-    "by the rules of its manual. It also judges controls against these rules.\n"
-    "Data goes to standard output, progress and diagnostics go to standard error. A fault of an input is one line: "
-    "FILE:LINE:COLUMN: what is wrong and what was expected. Lines and columns count from 1, columns in characters.";
+    "toolcomp computes what a numerical control does with a program under tool compensation. It computes exactly, "
+    "block by block, by the rules of the control's manual. It also judges controls against these rules.\n"
+    "Data goes to standard output, progress and diagnostics go to standard error. A fault in an input is reported as "
+    "one line, FILE:LINE:COLUMN: what is wrong and what was expected. Lines and columns count from 1, and columns "
+    "count characters.";
 
 constexpr const char* kFooter = R"(Exit status:
   0  Both sides agree, or the command is done.
   1  A difference was found, or a certificate was refused.
   2  Bad usage or bad input: one line on standard error says what.
-  3  A result could not be decided, or nothing was judged.
+  3  A result could not be decided, nothing was judged, or a part of the
+     program was not judged or is not supported.
   4  A self-check failed: toolcomp itself has an error.
-  If several apply: 4 before 2 before 1 before 3.
+  If several of them apply, the first in the order 4, 2, 1, 3 counts.
 
 Environment:
   NO_COLOR           If it is set and not empty, output has no colors.

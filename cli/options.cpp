@@ -31,7 +31,7 @@ void take_program(CLI::App* sub, std::string& program, std::string& setup) {
 
 void take_samples(CLI::App* sub, std::optional<std::uint32_t>& samples) {
   take(sub, "--samples", samples, "N",
-       "Divide each block under tool center point control into N parts, and give a sample between two parts", 0U,
+       "Divide each block under tool center point control into N parts, and give a sample wherever two parts meet", 0U,
        spec::kMostSamples);
 }
 
@@ -46,7 +46,7 @@ void take_sections(CLI::App* sub, std::vector<std::string>& sections) {
 
 void take_accept_resolution(CLI::App* sub, std::string& resolution) {
   take(sub, "--accept-resolution", resolution, "LENGTH",
-       "Also judge a controller that announces a resolution above 0.01 mm (0.0004 inch), up to this one")
+       "Also judge a controller that announces a resolution coarser than 0.01 mm (0.0004 inch), up to this length")
       ->check([](const std::string& text) {
         const auto value = spec::parse_decimal(text);
         return value && !value->negative && !value->is_zero() ? "" : "\"" + text + "\" is no positive decimal";

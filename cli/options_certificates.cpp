@@ -14,11 +14,10 @@ void define_certify(CommandLine& line) {
   CLI::App* sub = line.verb(
       "certify",
       "Certify a controller, or a recorded trace, and write a report\n"
-      "Judges a controller against the exact model: the golden corpus and generated cases of each section, or the "
-      "cases "
-      "and programs named. The controller is a command that speaks the protocol, an adapter, or a recording of axis "
-      "positions (--trace).\n"
-      "The report is a folder with index.html for people and findings for `toolcomp replay`.",
+      "Judges a controller against the exact model. The cases are the golden corpus and generated cases of each "
+      "section, or the cases and programs that you name. The controller is a command that speaks the controller "
+      "protocol, an adapter, or a recording of axis positions (--trace).\n"
+      "The report is a folder with a page for people (index.html) and with findings for `toolcomp replay`.",
       [options, &line] {
         options->words = line.words();
         options->arguments = line.typed();
@@ -39,25 +38,29 @@ void define_certify(CommandLine& line) {
   take(sub, "--adapters", options->adapters, "FOLDER", "Folder of adapters, searched first (repeatable)");
   sub->add_flag("--packages", options->packages, "Only print the Debian packages that the adapter needs");
   take(sub, "--altered", options->altered, "PARAMETER=VALUE",
-       "For an adapter that records: change this parameter for the judge only, to test that it finds the difference");
+       "For an adapter that records: change this parameter for the judge only, to test that the judge finds the "
+       "difference");
   take(sub, "--trace", options->trace, "FILE", "CSV of recorded axis positions of one run of one program");
-  take(sub, "--setup", options->setup, "SETUP", "Setup of the programs; without it, setup.toml beside each");
+  take(sub, "--setup", options->setup, "SETUP", "Setup of the programs; without it, setup.toml beside each program");
   take_sections(sub, options->sections);
   take(sub, "--report", options->report, "FOLDER", "Folder of the report");
   take(sub, "--evidence", options->evidence, "FILE",
-       "FILE.tar.zst: write everything needed to repeat the certificate (docs/evidence.md); see verify");
+       "Write everything needed to repeat the certificate into FILE.tar.zst (docs/evidence.md); `toolcomp verify` "
+       "checks it");
   take(sub, "--badge", options->badge, "FILE",
-       "Write a badge that shields.io reads (endpoint): sections that conform, or the number of findings");
-  take(sub, "--sign", options->sign, "KEY", "The gpg key that signs the evidence, into FILE.tar.zst.asc");
+       "Write a badge for shields.io (JSON of an endpoint): the sections that conform, or the number of findings");
+  take(sub, "--sign", options->sign, "KEY",
+       "Sign the evidence with this gpg key, and write the signature to FILE.tar.zst.asc");
   take(sub, "--cases", options->cases, "N",
        "Generated cases in each section (default: 1000, and 0 if inputs are named)");
-  take(sub, "--corpus", options->corpus, "FOLDER", "Judge this folder of the golden corpus too");
+  take(sub, "--corpus", options->corpus, "FOLDER",
+       "Folder of the golden corpus (default: toolcomp's own); if inputs are named, judge it too");
   take(sub, "--seed", options->seed, "N", "Seed of every random choice");
   take_timeout(sub, options->timeout, "Seconds that a case may take");
   take(sub, "--time-limit", options->time_limit, "TIME",
        "Stop after 60s, 10m or 1h; the report says which cases were not run");
   take(sub, "--settle", options->settle, "TIME",
-       "30s, 5m or 0: time to reproduce and shorten one finding of each group; the report says which findings "
+       "Time (30s, 5m or 0) to reproduce and shorten one finding of each group; the report says which findings "
        "were not settled")
       ->capture_default_str();
   take_accept_resolution(sub, options->accept_resolution);
@@ -80,7 +83,7 @@ void define_results(CommandLine& line) {
   const auto options = std::make_shared<ResultsOptions>();
   CLI::App* sub = line.verb(
       "results",
-      "One table of what several controllers were certified to do\n"
+      "One table of the certificates of several controllers\n"
       "Reads the certificate.json of each folder, as `certify --report` writes it, and makes a page of them: the "
       "sections of the manuals, and what each controller does there: conforms, differs by design, has findings, was "
       "judged in part, or was not asked. Each place leads to the clauses.\n"
@@ -146,7 +149,7 @@ void define_kit_make(CommandLine& line, CLI::App* kit) {
   take(sub, "--setup", options->setup, "SETUP", "Setup of the machine; [position] is where programs begin and end")
       ->required();
   take(sub, "--travel", options->travels, "AXIS=LEAST,GREATEST",
-       "AXIS=LEAST,GREATEST in machine coordinates, once for every axis");
+       "Travel of an axis in machine coordinates; give it once for every axis");
   take(sub, "--out", options->out, "FOLDER", "Folder of the kit, empty or not yet there")->required();
   take(sub, "--corpus", options->corpus, "FOLDER", "Folder of the golden corpus");
   take(sub, "--controller", options->controller, "ADAPTER",
@@ -156,7 +159,8 @@ void define_kit_make(CommandLine& line, CLI::App* kit) {
        "FANUC: number of programs that are generated for this machine as further candidates");
   take(sub, "--seed", options->seed, "N", "Seed of these programs")->capture_default_str();
   take(sub, "--first-offset", options->first_offset, "N", "First offset number that the kit may overwrite", 1U, 999U);
-  take(sub, "--tolerance", options->tolerance, "LENGTH", "Smallest change of a path that counts (default: 0.05)");
+  take(sub, "--tolerance", options->tolerance, "LENGTH",
+       "Tolerance of the recordings; a smaller change of the path does not count as shown (default: 0.05)");
 }
 
 void define_kit_judge(CommandLine& line, CLI::App* kit) {
@@ -178,8 +182,8 @@ void define_kit_judge(CommandLine& line, CLI::App* kit) {
 void define_kit(CommandLine& line) {
   CLI::App* kit =
       line.family("kit",
-                  "Programs, offsets and run sheet for a control without a pipe, and a judge for its recordings\n"
-                  "For a control that cannot be asked through a pipe (docs/kits.md).");
+                  "Programs, offsets and a run sheet for a control on a shop floor, and a judge for its recordings\n"
+                  "For a control that no command can drive, but that can record its axes (docs/kits.md).");
   define_kit_make(line, kit);
   define_kit_judge(line, kit);
   kit->footer(R"(Examples:

@@ -14,10 +14,9 @@ void define_fuzz(CommandLine& line) {
   CLI::App* sub = line.verb(
       "fuzz",
       "Search for differences\n"
-      "Searches for programs on which two engines, or a controller and the model, differ. Every finding is shrunk and "
-      "kept in a folder of its own (NAME/finding.json, for `toolcomp replay`). --campaign keeps everything in a folder "
-      "and "
-      "resumes where it stopped (docs/campaigns.md).",
+      "Searches for programs on which two engines, or a controller and the model, differ. It shortens the program of "
+      "every finding, and keeps the finding in a folder of its own (NAME/finding.json, for `toolcomp replay`). With "
+      "--campaign it keeps everything in a folder, and resumes a search where it stopped (docs/campaigns.md).",
       [options] { return fuzz(*options); });
   sub->footer(R"(Examples:
   One section, for a hundred programs:
@@ -26,19 +25,20 @@ void define_fuzz(CommandLine& line) {
   take(sub, "--for", options->duration, "TIME",
        "Total time: 60s, 10m, 1h (default without --runs: 60s; with --campaign: no limit)");
   take(sub, "--runs", options->runs, "N",
-       "Executions of each section instead of a time; each of its two targets gets half");
+       "Number of executions of each section, instead of --for; each of the two targets of a section gets half");
   take(sub, "--jobs", options->jobs, "N", "Number of workers in parallel", 1U, 256U);
   take(sub, "--seed", options->seed, "N", "Seed of every random choice");
   take(sub, "--controller", options->controller, "CONTROLLER", "Judge this controller instead of the fast engine");
   take(sub, "--findings", options->findings, "FOLDER",
-       "Write each finding into a folder of its own in here (default without --campaign: findings)");
+       "Write each finding into a folder of its own in this folder (default without --campaign: findings)");
   take_accept_resolution(sub, options->accept_resolution);
   take_timeout(sub, options->timeout, "Seconds that the controller may take for a case");
   take(sub, "--campaign", options->campaign, "FOLDER",
        "Keep everything in this folder (docs/campaigns.md), and resume where it stopped");
-  take(sub, "--target", options->targets, "TARGET", "Also this target (repeatable)");
-  take(sub, "--shard", options->shard, "I/N", "I/N: machine I of N, each with its own seeds");
-  take(sub, "--merge", options->merge, "FOLDER", "Merge these campaigns into the new one of --campaign")
+  take(sub, "--target", options->targets, "TARGET", "Search this target, besides those of --section (repeatable)");
+  take(sub, "--shard", options->shard, "I/N", "This is machine I of N; every machine has its own seeds");
+  take(sub, "--merge", options->merge, "FOLDER",
+       "Merge the campaigns in these folders into a new one in the folder of --campaign")
       ->allow_extra_args();
   sub->add_flag("--built-in", options->built_in, "Use the built-in driver even if the clang targets are built");
   sub->add_flag("--no-specification", options->no_specification,

@@ -30,9 +30,9 @@ void define_run(CommandLine& line) {
       "Run a program and print its events\n"
       "Runs the program under the rules of its control and prints each event: moves, samples, alarms, settings. The "
       "model computes exactly and prints correctly rounded decimals; the fast engine computes in double.\n"
-      "An alarm of the control is a result, not a failure: it is the last event, one line on standard error names its "
+      "An alarm of the control is a result, not a failure. It is the last event. One line on standard error names its "
       "place, and the exit status is 0. If a word is not supported, or positions are not known after it, the run ends "
-      "there with exit status 3. A line on standard error then says where, and how many blocks were not looked at.",
+      "there with exit status 3. A line on standard error then says where, and how many blocks did not run.",
       [options] { return run(*options); });
   sub->footer(R"(Examples:
   Events as JSON, one a line:
@@ -46,10 +46,11 @@ void define_run(CommandLine& line) {
   take_program(sub, options->program, options->setup);
   choose(sub, "--engine", options->engine, kEngines, "model (exact), fast or spec (the formal specification, exact)");
   choose(sub, "--format", options->format, kFormats,
-         "jsonl, csv, gcode (ends of blocks; with --samples, also inside), svg or html (a page to step through)");
+         "jsonl, csv, gcode (the ends of blocks; with --samples, also points inside blocks), svg or html (a page to "
+         "step through)");
   take(sub, "--digits", options->digits, "N", "Decimals the model prints", 0, kMostDigits);
   choose(sub, "--notes", options->notes, kOnOff,
-         "on (default) or off: hints for the reader of the program, as events of the kind note and on standard error; "
+         "on (default) or off: give hints to the reader of the program, as events of kind note and on standard error; "
          "no verdict depends on them");
   take_samples(sub, options->samples);
 }
