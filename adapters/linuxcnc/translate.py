@@ -14,6 +14,8 @@ SYSTEMS = {"54", "55", "56", "57", "58", "59"}
 TIP = "43.4"
 IGNORED_M = {"3", "4", "5", "8", "9"}
 AXES = "XYZABCUVW"
+# Codes of which LinuxCNC refuses two in a block; on FANUC the last one counts.
+GROUPS = [{"0", "1", "2", "3", "80"}, {"17", "18", "19"}, {"20", "21"}, {"40", "41", "42"}, {"43", "49", TIP}, {"90", "91"}, SYSTEMS]
 PLANES = {"17": "XY", "18": "ZX", "19": "YZ"}
 
 
@@ -78,6 +80,8 @@ class Translation:
         self.rests = 0.0  # s
         self.ended = False
         self.cuts = False  # G01, G02 or G03 is in force
+        self.arc = False  # G02 or G03 is
+        self.at = {axis: decimal(value) for axis, value in setup.get("position", {}).items()}  # as programmed
         self.feed = bool(decimal(setup.get("parameters", {}).get("1411", 0)))  # at power-on
 
     def line(self, text, number):
@@ -91,6 +95,7 @@ class Translation:
         if "4" in codes:
             return self.rest(dict(words), number)
         self.follow_feed(words, codes, letters, number)
+        self.check_block(words, codes, letters, number)
         if self.kinematics:
             self.follow_rotary(words, codes, number)
         for kind in "HD":
@@ -140,6 +145,21 @@ class Translation:
         self.feed = next((bool(decimal(value)) for letter, value in words if letter == "F"), self.feed)
         if self.cuts and not self.feed and letters & set(AXES):
             raise NotApplicable(f"line {number}: a cutting move without F")
+
+    def check_block(self, words, codes, letters, number):
+        """What LinuxCNC refuses and FANUC runs: two codes of one group, a letter twice, an arc by R that ends in its start."""
+        if any(len(group.intersection(codes)) > 1 or sum(code in group for code in codes) > 1 for group in GROUPS):
+            raise NotApplicable(f"line {number}: two G codes of one group")
+        if sum(letter not in "GM" for letter, _ in words) > len(letters - set("GM")):
+            raise NotApplicable(f"line {number}: a letter twice")
+        self.arc = next((code in ("2", "3") for code in codes if code in GROUPS[0]), self.arc)
+        incremental = "91" in codes or (self.incremental and "90" not in codes)
+        before = dict(self.at)
+        for letter, value in words:
+            if letter in AXES:
+                self.at[letter] = decimal(value) + (self.at.get(letter, 0) if incremental else 0)
+        if self.arc and "R" in letters and letters & set("XYZ") and self.at == {**dict.fromkeys(self.at, 0), **before}:
+            raise NotApplicable(f"line {number}: an arc by R that ends where it starts")
 
     def rest(self, words, number):
         """FANUC's P is milliseconds, LinuxCNC's seconds."""

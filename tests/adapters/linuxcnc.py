@@ -27,6 +27,15 @@ class Translation(unittest.TestCase):
     def test_line_for_line(self):
         self.assertEqual(lines("%\nO1\nN10 G01 X1. F100 (comment)\n\nM30\n"), ["", "", "G1 X1. F30000", "", "M2"])
 
+    # What FANUC runs and LinuxCNC refuses: the last code counts, the last word counts, an arc of 0 degrees.
+    def test_what_linuxcnc_refuses_does_not_apply(self):
+        for program in ("G90 G91 X1\n", "G00 G01 X1 F100\n", "G17 G17\n", "G00 X1 X2\n", "G00 X0 Y0\nG02 X0 Y0 R10. F100\n",
+                        "G00 X5.\nG91 G02 X0 R10. F100\n"):
+            with self.subTest(program), self.assertRaises(NotApplicable):
+                lines(program)
+        self.assertEqual(lines("G00 X5.\nG02 X-5. R10. F100\n")[1], "G2 X-5. R10. F30000")
+        self.assertEqual(lines("G90 G00 X5.\n")[0], "G90 G0 X5.")
+
     def test_a_cutting_move_needs_a_feed(self):
         for program in ("G01 X1.\n", "G00 X1.\nG02 X2. R5.\n", "G01 X1. F5\nX2. F0\n"):
             with self.assertRaises(NotApplicable, msg=program):
