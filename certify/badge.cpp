@@ -32,10 +32,6 @@ std::string counted(std::uint64_t n, std::string_view what) {
   return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
 }
 
-std::string by_design(std::uint64_t n, std::string_view what) {
-  return fmt::format("{} {}{} by design", n, what, n == 1 ? " differs" : "s differ");
-}
-
 std::string conforms(const Certificate& c) {
   const Scope scope = counted_scope(c);
   const std::size_t all = fuzz::sections().size();
@@ -54,10 +50,9 @@ std::string conforms(const Certificate& c) {
 std::string badge_json(const Certificate& c) {
   switch (exit_status(c)) {
     case 0: {
-      std::uint64_t known = 0;
-      for (const auto& [id, cases] : known_differences(c)) known += cases;
+      const std::uint64_t known = sum_of(known_differences(c));
       if (known == 0) return json(conforms(c), kConforms);
-      return json(conforms(c) + "; " + by_design(known, "case"), kByDesign);
+      return json(conforms(c) + "; " + words_by_design(known, "case"), kByDesign);
     }
     case 1:
       return json(counted(c.findings.size(), "finding"), kFindings);
@@ -93,8 +88,9 @@ std::string badge_json(const AdapterCertificate& certificate) {
   switch (exit_status(certificate)) {
     case 0:
       if (known == 0) return json("conforms in " + counted(agree, "program"), kConforms);
-      return json((agree == 0 ? "" : "conforms in " + counted(agree, "program") + "; ") + by_design(known, "program"),
-                  kByDesign);
+      return json(
+          (agree == 0 ? "" : "conforms in " + counted(agree, "program") + "; ") + words_by_design(known, "program"),
+          kByDesign);
     case 1: {
       const std::uint64_t differ = programs(RunOutcome::differs);
       return json(fmt::format("{} program{}", differ, differ == 1 ? " differs" : "s differ"), kFindings);

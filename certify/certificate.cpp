@@ -142,13 +142,10 @@ std::string scope(const Certificate& certificate) {
 std::string verdict(const Certificate& certificate) {
   switch (exit_status(certificate)) {
     case 0: {
-      std::uint64_t by_design = 0;
-      for (const auto& [id, cases] : known_differences(certificate)) by_design += cases;
+      const std::uint64_t by_design = sum_of(known_differences(certificate));
       return "conforms in " + scope(certificate) +
              (certificate.subject.known.is_all() ? "" : ", judged only by " + known_as(certificate)) +
-             (by_design == 0
-                  ? ""
-                  : fmt::format("; {} case{} by design", by_design, by_design == 1 ? " differs" : "s differ"));
+             (by_design == 0 ? "" : "; " + words_by_design(by_design, "case"));
     }
     case 1:
       return "does not conform";
@@ -171,6 +168,16 @@ std::map<std::string, std::uint64_t> known_differences(const Certificate& certif
   for (const SectionResult& s : certificate.sections)
     for (const auto& [id, cases] : s.known_differences) sums[id] += cases;
   return sums;
+}
+
+std::uint64_t sum_of(const std::map<std::string, std::uint64_t>& known_differences) {
+  std::uint64_t sum = 0;
+  for (const auto& [id, cases] : known_differences) sum += cases;
+  return sum;
+}
+
+std::string words_by_design(std::uint64_t n, std::string_view what) {
+  return fmt::format("{} {}{} by design", n, what, n == 1 ? " differs" : "s differ");
 }
 
 std::uint64_t cases_not_run(const Certificate& certificate) {

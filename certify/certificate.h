@@ -144,6 +144,10 @@ std::string scope(const Certificate& certificate);
 std::uint64_t cases_not_run(const Certificate& certificate);
 // Cases that the controller does otherwise by design, as it says, by the name of the difference.
 std::map<std::string, std::uint64_t> known_differences(const Certificate& certificate);
+// How many cases these are.
+std::uint64_t sum_of(const std::map<std::string, std::uint64_t>& known_differences);
+// "1 case differs by design", "2 programs differ by design".
+std::string words_by_design(std::uint64_t n, std::string_view what);
 // Groups of findings of which one was settled.
 std::size_t groups_settled(const Certificate& certificate);
 // "2 of 3 groups settled, within 30 s"; empty if there are no findings.

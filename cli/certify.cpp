@@ -193,8 +193,7 @@ std::string shown(const std::string& section) { return section.empty() ? "progra
 
 void print(const certify::SectionResult& s) {
   const std::uint64_t not_applicable = s.count(certify::Result::not_applicable);
-  std::uint64_t by_design = 0;
-  for (const auto& [id, cases] : s.known_differences) by_design += cases;
+  const std::uint64_t by_design = certify::sum_of(s.known_differences);
   if (not_applicable == s.total()) {
     fmt::print("{:<34} not applicable{}\n", shown(s.section),
                by_design > 0 ? fmt::format(", {} cases known to differ", by_design) : "");

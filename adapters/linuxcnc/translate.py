@@ -58,7 +58,6 @@ class Translation:
         self.axes = setup.get("axes", ["X", "Y", "Z"])
         self.kinematics = not module.name.startswith("trivkins")
         self.in_tip = False
-        self.rotary = {axis: decimal(value) for axis, value in setup.get("position", {}).items() if axis in "ABC"}
         self.compensate = compensate
         self.skip = setup.get("block_skip", False)
         self.sides = {}  # line → 1 left, -1 right: blocks in cutter compensation
@@ -95,9 +94,11 @@ class Translation:
         if "4" in codes:
             return self.rest(dict(words), number)
         self.follow_feed(words, codes, letters, number)
-        self.check_block(words, codes, letters, number)
+        turned = self.is_turned()
+        moves = self.follow_positions(words, codes)
+        self.check_block(words, codes, letters, moves, number)
         if self.kinematics:
-            self.follow_rotary(words, codes, number)
+            self.follow_rotary(codes, turned, number)
         for kind in "HD":
             for letter, value in words:
                 if letter == kind:
@@ -146,19 +147,26 @@ class Translation:
         if self.cuts and not self.feed and letters & set(AXES):
             raise NotApplicable(f"line {number}: a cutting move without F")
 
-    def check_block(self, words, codes, letters, number):
-        """What LinuxCNC refuses and FANUC runs: two codes of one group, a letter twice, an arc by R that ends in its start."""
-        if any(len(group.intersection(codes)) > 1 or sum(code in group for code in codes) > 1 for group in GROUPS):
-            raise NotApplicable(f"line {number}: two G codes of one group")
-        if sum(letter not in "GM" for letter, _ in words) > len(letters - set("GM")):
-            raise NotApplicable(f"line {number}: a letter twice")
-        self.arc = next((code in ("2", "3") for code in codes if code in GROUPS[0]), self.arc)
-        incremental = "91" in codes or (self.incremental and "90" not in codes)
+    def is_turned(self):
+        return any(self.at.get(axis) for axis in "ABC")
+
+    def follow_positions(self, words, codes):
+        """Whether the block ends elsewhere than it starts."""
+        incremental = "91" in codes or self.incremental and "90" not in codes
         before = dict(self.at)
         for letter, value in words:
             if letter in AXES:
                 self.at[letter] = decimal(value) + (self.at.get(letter, 0) if incremental else 0)
-        if self.arc and "R" in letters and letters & set("XYZ") and self.at == {**dict.fromkeys(self.at, 0), **before}:
+        return any(end != before.get(axis, 0) for axis, end in self.at.items())
+
+    def check_block(self, words, codes, letters, moves, number):
+        """What LinuxCNC refuses and FANUC runs: two codes of one group, a letter twice, an arc by R that ends in its start."""
+        if any(sum(code in group for code in codes) > 1 for group in GROUPS):
+            raise NotApplicable(f"line {number}: two G codes of one group")
+        if sum(letter not in "GM" for letter, _ in words) > len(letters - set("GM")):
+            raise NotApplicable(f"line {number}: a letter twice")
+        self.arc = next((code in ("2", "3") for code in codes if code in GROUPS[0]), self.arc)
+        if self.arc and "R" in letters and letters & set("XYZ") and not moves:
             raise NotApplicable(f"line {number}: an arc by R that ends where it starts")
 
     def rest(self, words, number):
@@ -169,17 +177,12 @@ class Translation:
         self.rests += seconds
         return f"G4 P{seconds:g}"
 
-    def follow_rotary(self, words, codes, number):
-        """The kinematics is always in force: outside G43.4 the rotary axes must stand at 0."""
-        incremental = "91" in codes or self.incremental and "90" not in codes
-        turned = any(self.rotary.values())
-        for letter, value in words:
-            if letter in "ABC":
-                self.rotary[letter] = decimal(value) + (self.rotary.get(letter, 0) if incremental else 0)
+    def follow_rotary(self, codes, turned, number):
+        """The kinematics is always in force: outside G43.4 the rotary axes must stand at 0. `turned`: before the block."""
         inside = self.in_tip and "49" not in codes
         if TIP in codes or "49" in codes:
             self.in_tip = TIP in codes
-        if not inside and (turned or any(self.rotary.values())):
+        if not inside and (turned or self.is_turned()):
             raise NotApplicable(f"line {number}: a rotary axis is not at 0 outside G43.4")
 
     def check_parameters(self, setup):

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "certify/certificate.h"
 #include "certify/markup.h"
 #include "certify/page.h"
 #include "certify/results/results.h"
@@ -124,7 +125,7 @@ std::string cell_details(const Controller& c, std::size_t index, const std::stri
   std::string items;
   for (const auto& [id, cases] : cell.known_differences) {
     const auto reason = c.differences.find(id);
-    items += "<li>" + counted(cases, "case") + (cases == 1 ? " differs" : " differ") + " by design: " + coded(id) +
+    items += "<li>" + words_by_design(cases, "case") + ": " + coded(id) +
              (reason == c.differences.end() ? "" : ". " + escape(reason->second)) + "</li>\n";
   }
   std::uint64_t shown = 0;
