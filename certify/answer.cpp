@@ -17,7 +17,7 @@ using spec::Field;
 
 // Fields that every event of a kind has. Those that only some have are missed by the verdict, which knows the event
 // that is expected.
-std::span<const Field> fields_of(spec::EventKind kind) {
+std::span<const Field> fields_by_kind(spec::EventKind kind) {
   static constexpr std::array move{Field::type, Field::cause};
   static constexpr std::array sample{Field::t};
   static constexpr std::array alarm{Field::number};
@@ -47,7 +47,7 @@ std::span<const Field> fields_of(spec::EventKind kind) {
 
 std::optional<MissingField> find_missing(const Capabilities& capabilities, const spec::Reply& reply) {
   for (std::size_t i = 0; i < reply.events.size(); ++i)
-    for (const Field field : fields_of(reply.events[i].kind)) {
+    for (const Field field : fields_by_kind(reply.events[i].kind)) {
       const std::string_view name = spec::field_name(field);
       const bool announced = std::ranges::find(capabilities.fields, name) != capabilities.fields.end();
       if (announced && !reply.fields[i].has(field)) return MissingField{reply.events[i].line, i, std::string(name)};

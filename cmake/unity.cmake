@@ -3,7 +3,7 @@
 # headers and templates are most of what a compiler does here. Whoever needs every file by itself, as clang-tidy does,
 # configures with TOOLCOMP_UNITY=OFF; `./dev includes` looks whether each includes what it needs.
 option(TOOLCOMP_UNITY "Compile several files as one" ON)
-set(TOOLCOMP_UNITY_SIZE 8 CACHE STRING "How many files at most")
+set(TOOLCOMP_UNITY_SIZE 16 CACHE STRING "How many files at most")
 
 # toolcomp_own_names(FILE NAMES USED): what FILE declares at the left margin, a superset of what is in its unnamed
 # namespaces; and what it takes from elsewhere there (`using a::B;`), which any number of files may, but not beside one

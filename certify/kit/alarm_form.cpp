@@ -35,7 +35,7 @@ struct Field {
 };
 
 // The first three commas divide; a note may hold more.
-std::vector<Field> fields_of(std::string_view line) {
+std::vector<Field> fields_on(std::string_view line) {
   std::vector<Field> fields;
   std::size_t begin = 0;
   while (true) {
@@ -63,7 +63,7 @@ class FormReader {
       return;
     }
     if (line.find_first_not_of(" ,") == std::string_view::npos) return;
-    const std::vector<Field> fields = fields_of(line);
+    const std::vector<Field> fields = fields_on(line);
     if (fields.size() != kFields) fail(line.size() + 1, "expected program, alarm, block and note");
     entry(fields);
   }

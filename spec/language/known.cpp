@@ -12,14 +12,14 @@
 namespace toolcomp::spec {
 namespace {
 
-constexpr std::array<std::string_view, kKnownKinds> kNames{"manual", "sister", "recollection", "ours"};
+constexpr std::array<std::string_view, kKnownKinds> kKnownNames{"manual", "sister", "recollection", "ours"};
 
 }  // namespace
 
-std::string_view known_name(Known known) { return kNames.at(static_cast<std::size_t>(known)); }
+std::string_view known_name(Known known) { return kKnownNames.at(static_cast<std::size_t>(known)); }
 
 std::optional<Known> find_known(std::string_view name) {
-  const std::span names(kNames);
+  const std::span names(kKnownNames);
   const auto found = std::ranges::find(names, name);
   if (found == names.end()) return std::nullopt;
   return static_cast<Known>(found - names.begin());
@@ -41,17 +41,18 @@ KnownSet KnownSet::of(const std::vector<std::string>& names) {
   set.chosen_.fill(false);
   for (const std::string& name : names) {
     const auto known = find_known(name);
-    if (!known) throw std::invalid_argument(fmt::format("\"{}\" is not one of {}", name, fmt::join(kNames, ", ")));
+    if (!known) throw std::invalid_argument(fmt::format("\"{}\" is not one of {}", name, fmt::join(kKnownNames, ", ")));
     set.chosen_.at(static_cast<std::size_t>(*known)) = true;
   }
-  if (names.empty()) throw std::invalid_argument(fmt::format("expected at least one of {}", fmt::join(kNames, ", ")));
+  if (names.empty())
+    throw std::invalid_argument(fmt::format("expected at least one of {}", fmt::join(kKnownNames, ", ")));
   return set;
 }
 
 std::vector<std::string> KnownSet::names() const {
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < kNames.size(); ++i)
-    if (chosen_.at(i)) names.emplace_back(kNames.at(i));
+  for (std::size_t i = 0; i < kKnownNames.size(); ++i)
+    if (chosen_.at(i)) names.emplace_back(kKnownNames.at(i));
   return names;
 }
 

@@ -10,7 +10,7 @@ import { Engine } from '../../playground/engine.mjs';
 
 const [module, corpus, seed = '1'] = process.argv.slice(2);
 if (!existsSync(module)) {
-  console.log('the module is not there: the sources of GMP and MPFR could not be had');
+  console.log('the module is not there: `./dev playground` builds it');
   process.exit(77);
 }
 const engine = new Engine(readFileSync(module));

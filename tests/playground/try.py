@@ -201,6 +201,6 @@ class Try(unittest.TestCase):
 
 if __name__ == "__main__":
     if not pathlib.Path(sys.argv[1]).exists():
-        print("the page is not there: the sources of GMP and MPFR could not be had")
+        print("the page is not there: `./dev playground` builds it")
         sys.exit(77)
     unittest.main(argv=sys.argv[:1], verbosity=2)
