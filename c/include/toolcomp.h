@@ -19,10 +19,10 @@ extern "C" {
 #endif
 
 /* The version of this header. toolcomp_version() gives the version of the library. */
-#define TOOLCOMP_VERSION_MAJOR 0
-#define TOOLCOMP_VERSION_MINOR 1
+#define TOOLCOMP_VERSION_MAJOR 1
+#define TOOLCOMP_VERSION_MINOR 0
 #define TOOLCOMP_VERSION_PATCH 0
-/* "0.1.0" */
+/* "1.0.0" */
 const char* toolcomp_version(void);
 
 /* The result of a call. If it is not TOOLCOMP_OK, the error says why. A call that failed has changed nothing, with one
