@@ -224,7 +224,7 @@ inline Decimal shortest(const Binary& value) {
 // then k with its trailing zeros dropped is the shortest text: decimals of 15 digits or fewer that differ lie nearest
 // to different doubles, so no shorter one reads back as the same.
 constexpr std::uint64_t kMillion = 1'000'000;
-constexpr double kMost = 1e15;
+constexpr double kMostPrinted = 1e15;
 
 Decimal millionths(std::uint64_t count) {
   return {count / kMillion, count % kMillion * (kPowers[kMostPlaces] / kMillion)};
@@ -235,7 +235,7 @@ Decimal millionths(std::uint64_t count) {
 char* write_number(char* to, double value) {
   const double magnitude = std::abs(value);
   const double scaled = magnitude * kMillion;
-  if (scaled < kMost) {
+  if (scaled < kMostPrinted) {
     // A wrong guess is found out by the division, most of them without.
     const auto count = static_cast<std::int64_t>(scaled + 0.5);  // NOLINT(bugprone-incorrect-roundings)
     const auto whole = static_cast<double>(count);
