@@ -10,9 +10,9 @@
 #include <system_error>
 #include <utility>
 
-#include "certify/process.h"
+#include "host/data_folder.h"
+#include "host/process.h"
 #include "spec/language/byte_source.h"
-#include "spec/language/data_folder.h"
 #include "spec/language/document.h"
 #include "spec/language/input_error.h"
 
@@ -108,8 +108,8 @@ bool on_path(const std::string& program) {
 }  // namespace
 
 std::string Adapter::shell_command(const std::vector<std::string>& arguments) const {
-  std::string line = "cd " + shell_quoted(folder.string()) + " && " + command;
-  for (const std::string& argument : arguments) line += " " + shell_quoted(argument);
+  std::string line = "cd " + host::shell_quoted(folder.string()) + " && " + command;
+  for (const std::string& argument : arguments) line += " " + host::shell_quoted(argument);
   return line;
 }
 
@@ -150,7 +150,7 @@ std::vector<fs::path> adapter_folders(const std::vector<std::string>& named) {
     for (std::string folder; std::getline(list, folder, ':');)
       if (!folder.empty()) folders.emplace_back(folder);
   }
-  folders.push_back(spec::data_folder() / "adapters");
+  folders.push_back(host::data_folder() / "adapters");
   return folders;
 }
 

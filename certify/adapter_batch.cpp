@@ -7,9 +7,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "certify/process.h"
-#include "certify/temporary_folder.h"
-#include "spec/language/file_writer.h"
+#include "host/file_writer.h"
+#include "host/process.h"
+#include "host/temporary_folder.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
 
@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 fs::path batch_folder(const fs::path& batch, std::size_t index) { return batch / fmt::format("{:04}", index + 1); }
 
 void write_program(const fs::path& folder, const spec::Case& c) {
-  spec::write_file(folder / "program.nc", c.program);
-  spec::write_file(folder / "setup.json", spec::write_setup_json(c.setup) + "\n");
+  host::write_file(folder / "program.nc", c.program);
+  host::write_file(folder / "setup.json", spec::write_setup_json(c.setup) + "\n");
 }
 
 std::optional<std::string> first_line(const fs::path& file) {
@@ -57,26 +57,26 @@ std::string run_adapter(const Adapter& adapter, const std::string& option, const
   std::vector<std::string> arguments{fs::absolute(batch).string()};
   if (!option.empty()) arguments.insert(arguments.begin(), option);
   // What it writes to standard output is nobody's.
-  Process process("{ " + adapter.shell_command(arguments) + "; } 2>&1 >/dev/null");
+  host::Process process("{ " + adapter.shell_command(arguments) + "; } 2>&1 >/dev/null");
   constexpr std::int64_t kStart = 6;  // programs: what it may take to come and go
   const auto wait = (kStart + static_cast<std::int64_t>(programs)) * timeout;
-  const Clock::time_point deadline = Clock::now() + wait;
+  const host::Clock::time_point deadline = host::Clock::now() + wait;
   std::string line;
   std::string last;
-  Exchange end = Exchange::line;
+  host::Exchange end = host::Exchange::line;
   const auto go_on = [&] {
     if (stop && !stop().empty()) return false;
-    return end == Exchange::line || (end == Exchange::timed_out && Clock::now() < deadline);
+    return end == host::Exchange::line || (end == host::Exchange::timed_out && host::Clock::now() < deadline);
   };
   do {
     constexpr std::chrono::milliseconds kLook{200};
-    end = process.receive_line(line, std::min(deadline, Clock::now() + kLook), kLongestLine);
-    if (end != Exchange::line) continue;
+    end = process.receive_line(line, std::min(deadline, host::Clock::now() + kLook), kLongestLine);
+    if (end != host::Exchange::line) continue;
     if (progress) progress(line);
     last = line;
   } while (go_on());
-  const std::string ended = process.finish(std::chrono::seconds(end == Exchange::closed ? 10 : 0));
-  if (end == Exchange::timed_out) return fmt::format("did not end within {} ms", wait.count());
+  const std::string ended = process.finish(std::chrono::seconds(end == host::Exchange::closed ? 10 : 0));
+  if (end == host::Exchange::timed_out) return fmt::format("did not end within {} ms", wait.count());
   if (process.exit_status() != 0) return ended + (last.empty() ? "" : ": " + last);
   return {};
 }
@@ -85,7 +85,7 @@ std::vector<std::string> why_not(const Adapter& adapter, const std::vector<spec:
   constexpr std::chrono::seconds kTimeout{10};
   if (adapter.kind != AdapterKind::trace)
     throw spec::InputError(adapter.name, 0, 0, "only an adapter of kind trace can say in advance what it cannot run");
-  const TemporaryFolder batch;
+  const host::TemporaryFolder batch;
   for (std::size_t i = 0; i < cases.size(); ++i) write_program(batch_folder(batch.path(), i), cases[i]);
   const std::string wrong = run_adapter(adapter, "--ask", batch.path(), cases.size(), kTimeout, {});
   if (!wrong.empty()) throw spec::InputError(adapter.name, 0, 0, "was asked what it cannot run, and failed: " + wrong);

@@ -13,7 +13,7 @@
 #include "certify/report.h"
 #include "certify/sarif.h"
 #include "certify/sort_by.h"
-#include "spec/language/file_writer.h"
+#include "host/file_writer.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -21,9 +21,9 @@ namespace {
 // Runs of one machine, or of given programs.
 std::string group_of(const std::string& machine) { return machine.empty() ? "programs" : machine; }
 
-std::string known_differences(const AdapterCampaign& campaign, const AdapterCertificate& certificate) {
+std::string known_differences(const AdapterCertificationOptions& certification, const AdapterCertificate& certificate) {
   std::vector<Row> rows{{"known difference", "why", "how it is recognised", "programs"}};
-  for (const KnownDifference& known : campaign.adapter.known) {
+  for (const KnownDifference& known : certification.adapter.known) {
     const auto programs = std::ranges::count_if(certificate.runs, [&](const AdapterRun& run) {
       return std::ranges::find(run.known, known.id) != run.known.end();
     });
@@ -120,9 +120,10 @@ std::string_view verdict(const AdapterCertificate& certificate) {
   return status == 0 ? "conforms" : status == 1 ? "does not conform" : "not decided";
 }
 
-std::string html_report(const AdapterCampaign& campaign, const AdapterCertificate& certificate) {
+std::string html_report(const AdapterCertificationOptions& certification, const AdapterCertificate& certificate) {
   const int status = exit_status(certificate);
-  std::string body = "<section class=\"first\">\n<h1>Recordings of " + escape(campaign.adapter.name) + "</h1>\n<p>" +
+  std::string body = "<section class=\"first\">\n<h1>Recordings of " + escape(certification.adapter.name) +
+                     "</h1>\n<p>" +
                      badge(verdict(certificate), status == 0   ? Tone::good
                                                  : status == 1 ? Tone::bad
                                                                : Tone::open) +
@@ -132,7 +133,7 @@ std::string html_report(const AdapterCampaign& campaign, const AdapterCertificat
       "tolerance "
       "of {}; seed {}.</p>\n",
       certificate.runs.size(), certificate.seconds_run, certificate.seconds_judged, plain(certificate.tolerance, 9),
-      campaign.seed);
+      certification.seed);
   if (!certificate.errors.empty()) body += "<p>The adapter: " + escape(certificate.errors) + "</p>\n";
   if (!certificate.interrupted.empty())
     body += fmt::format("<p class=\"bad\">{} programs not run: {}.</p>\n", not_run(certificate),
@@ -141,28 +142,28 @@ std::string html_report(const AdapterCampaign& campaign, const AdapterCertificat
   identity.push_back({"tool", "toolcomp " TOOLCOMP_VERSION});
   body += facts(identity) + std::string(kSignature) + "</section>\n";
   body += "<h2>Machines</h2>\n" + machines(certificate) + causes(certificate);
-  body += "<h2>Known differences</h2>\n" + known_differences(campaign, certificate);
+  body += "<h2>Known differences</h2>\n" + known_differences(certification, certificate);
   body += "<h2>Programs with a verdict other than conforms</h2>\n" + others(certificate);
-  return page("toolcomp: " + campaign.adapter.name + " " + std::string(verdict(certificate)), body);
+  return page("toolcomp: " + certification.adapter.name + " " + std::string(verdict(certificate)), body);
 }
 
-std::string json_report(const AdapterCampaign& campaign, const AdapterCertificate& certificate) {
+std::string json_report(const AdapterCertificationOptions& certification, const AdapterCertificate& certificate) {
   using Json = nlohmann::ordered_json;
   Json json;
-  json["adapter"] = campaign.adapter.name;
+  json["adapter"] = certification.adapter.name;
   json["exit_status"] = exit_status(certificate);
   json["verdict"] = verdict(certificate);
   json["tool"] = "toolcomp " TOOLCOMP_VERSION;
   json["interrupted"] = certificate.interrupted;
   json["programs_not_run"] = not_run(certificate);
   json["occasion"] = to_json(certificate.occasion);
-  json["seed"] = campaign.seed;
+  json["seed"] = certification.seed;
   json["tolerance"] = certificate.tolerance;
   json["seconds_run"] = certificate.seconds_run;
   json["seconds_judged"] = certificate.seconds_judged;
   json["errors"] = certificate.errors;
   json["known_differences"] = Json::object();
-  for (const KnownDifference& known : campaign.adapter.known) json["known_differences"][known.id] = known.reason;
+  for (const KnownDifference& known : certification.adapter.known) json["known_differences"][known.id] = known.reason;
   json["runs"] = Json::array();
   for (const AdapterRun& run : certificate.runs) {
     Json one{{"id", run.c.id},
@@ -234,23 +235,23 @@ std::string sarif_report(const AdapterCertificate& certificate) {
       {{"executionSuccessful", status <= 1}, {"exitCode", status}, {"toolExecutionNotifications", notes}});
 }
 
-void write_report(const AdapterCampaign& campaign, const AdapterCertificate& certificate) {
+void write_report(const AdapterCertificationOptions& certification, const AdapterCertificate& certificate) {
   for (const AdapterRun& run : certificate.runs) {
     if (run.outcome != RunOutcome::differs || run.result.samples == 0) continue;
     TraceReport trace;
     trace.c = run.c;
     trace.file = (run.folder / "trace.csv").string();
     trace.options.tolerance = certificate.tolerance;
-    trace.options.rotary_tolerance = campaign.rotary_tolerance;
+    trace.options.rotary_tolerance = certification.rotary_tolerance;
     trace.result = run.result;
     trace.occasion = certificate.occasion;
     write_report(trace, run.folder / "report");
   }
-  const std::filesystem::path folder = campaign.report;
-  spec::write_files({{folder / "certificate.json", json_report(campaign, certificate)},
+  const std::filesystem::path folder = certification.report;
+  host::write_files({{folder / "certificate.json", json_report(certification, certificate)},
                      {folder / "junit.xml", junit_report(certificate)},
                      {folder / "certificate.sarif", sarif_report(certificate)},
-                     {folder / "index.html", html_report(campaign, certificate)}});
+                     {folder / "index.html", html_report(certification, certificate)}});
 }
 
 }  // namespace toolcomp::certify

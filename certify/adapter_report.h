@@ -12,8 +12,8 @@
 
 namespace toolcomp::certify {
 
-std::string html_report(const AdapterCampaign& campaign, const AdapterCertificate& certificate);
-std::string json_report(const AdapterCampaign& campaign, const AdapterCertificate& certificate);
+std::string html_report(const AdapterCertificationOptions& certification, const AdapterCertificate& certificate);
+std::string json_report(const AdapterCertificationOptions& certification, const AdapterCertificate& certificate);
 
 // One test suite for each machine, one test case for each program.
 std::string junit_report(const AdapterCertificate& certificate);
@@ -22,7 +22,7 @@ std::string sarif_report(const AdapterCertificate& certificate);
 
 // index.html, certificate.json, junit.xml and certificate.sarif in the folder of the report, and the report of its
 // trace in the folder of each program that differs. Throws std::runtime_error for a folder that cannot be written.
-void write_report(const AdapterCampaign& campaign, const AdapterCertificate& certificate);
+void write_report(const AdapterCertificationOptions& certification, const AdapterCertificate& certificate);
 
 // Runs of one machine, or of given programs; for the table of the report and the terminal.
 struct MachineSummary {

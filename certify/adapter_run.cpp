@@ -12,8 +12,8 @@
 
 #include "certify/adapter_batch.h"
 #include "certify/adapter_programs.h"
-#include "certify/process.h"
 #include "certify/report.h"
+#include "host/process.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
@@ -140,7 +140,9 @@ void drop_pictures(TraceResult& result) {
   result.events = {};
 }
 
-double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+double seconds_since(host::Clock::time_point begin) {
+  return std::chrono::duration<double>(host::Clock::now() - begin).count();
+}
 
 spec::Setup read_setup(const fs::path& file) {
   return spec::read_setup_toml(spec::read_file(file.string()), file.string());
@@ -160,12 +162,13 @@ std::vector<AdapterRun> known_runs(const Adapter& adapter) {
 }
 
 // Given programs, then generated ones, in folders of their own.
-std::vector<AdapterRun> write_batch(const AdapterCampaign& campaign, const fs::path& batch) {
+std::vector<AdapterRun> write_batch(const AdapterCertificationOptions& certification, const fs::path& batch) {
   std::vector<AdapterRun> runs;
-  for (const spec::Case& c : campaign.cases) runs.emplace_back().c = c;
-  if (campaign.show_known)
-    for (AdapterRun& run : known_runs(campaign.adapter)) runs.push_back(std::move(run));
-  for (MachineProgram& program : machine_programs(campaign.adapter.setups, campaign.generated, campaign.seed)) {
+  for (const spec::Case& c : certification.cases) runs.emplace_back().c = c;
+  if (certification.show_known)
+    for (AdapterRun& run : known_runs(certification.adapter)) runs.push_back(std::move(run));
+  for (MachineProgram& program :
+       machine_programs(certification.adapter.setups, certification.generated, certification.seed)) {
     AdapterRun& run = runs.emplace_back();
     run.c = std::move(program.c);
     run.machine = std::move(program.machine);
@@ -177,7 +180,7 @@ std::vector<AdapterRun> write_batch(const AdapterCampaign& campaign, const fs::p
     AdapterRun& run = runs[i];
     run.folder = batch_folder(batch, i);
     write_program(run.folder, run.c);
-    for (const auto& [parameter, value] : campaign.altered)
+    for (const auto& [parameter, value] : certification.altered)
       if (const auto found = run.c.setup.parameters.find(parameter); found != run.c.setup.parameters.end())
         found->second = value;
   }
@@ -212,24 +215,24 @@ std::string_view name(RunOutcome outcome) {
   return kNames.at(static_cast<std::size_t>(outcome));
 }
 
-AdapterCertificate certify_adapter(const AdapterCampaign& campaign) {
+AdapterCertificate certify_adapter(const AdapterCertificationOptions& certification) {
   AdapterCertificate certificate;
-  certificate.tolerance = campaign.tolerance.value_or(campaign.adapter.tolerance);
-  const fs::path batch = fs::path(campaign.report) / "runs";
-  certificate.runs = write_batch(campaign, batch);
-  const Clock::time_point start = Clock::now();
-  certificate.errors = run_adapter(campaign.adapter, "", batch, certificate.runs.size(), campaign.timeout,
-                                   campaign.progress, campaign.stop);
+  certificate.tolerance = certification.tolerance.value_or(certification.adapter.tolerance);
+  const fs::path batch = fs::path(certification.report) / "runs";
+  certificate.runs = write_batch(certification, batch);
+  const host::Clock::time_point start = host::Clock::now();
+  certificate.errors = run_adapter(certification.adapter, "", batch, certificate.runs.size(), certification.timeout,
+                                   certification.progress, certification.stop);
   certificate.seconds_run = seconds_since(start);
-  const auto stopped = [&campaign] { return campaign.stop ? campaign.stop() : std::string(); };
+  const auto stopped = [&certification] { return certification.stop ? certification.stop() : std::string(); };
   const bool cut = !stopped().empty() && !certificate.errors.empty();
   if (cut) {
     certificate.errors.clear();
     certificate.interrupted = stopped();
     leave_out_unfinished(certificate.runs);
   }
-  const Clock::time_point judged = Clock::now();
-  const Judge judge(campaign.adapter, certificate.tolerance, campaign.rotary_tolerance);
+  const host::Clock::time_point judged = host::Clock::now();
+  const Judge judge(certification.adapter, certificate.tolerance, certification.rotary_tolerance);
   for (std::size_t i = 0; i < certificate.runs.size(); ++i) {
     AdapterRun& run = certificate.runs[i];
     if (run.outcome == RunOutcome::not_run) continue;
@@ -244,8 +247,8 @@ AdapterCertificate certify_adapter(const AdapterCampaign& campaign) {
     if (run.outcome != RunOutcome::differs) drop_pictures(run.result);
     std::error_code none;
     if (run.outcome == RunOutcome::conforms) fs::remove_all(run.folder, none);
-    if (campaign.progress && (i + 1) % 20 == 0)
-      campaign.progress(fmt::format("judged {} of {}", i + 1, certificate.runs.size()));
+    if (certification.progress && (i + 1) % 20 == 0)
+      certification.progress(fmt::format("judged {} of {}", i + 1, certificate.runs.size()));
   }
   certificate.seconds_judged = seconds_since(judged);
   return certificate;

@@ -43,7 +43,7 @@ struct AdapterRun {
   std::filesystem::path folder;    // of the batch: program, setup, what the adapter wrote
 };
 
-struct AdapterCampaign {
+struct AdapterCertificationOptions {
   Adapter adapter;
   std::vector<spec::Case> cases;  // judged first
   bool show_known = false;        // then the programs of the known differences
@@ -74,7 +74,7 @@ struct AdapterCertificate {
 
 // Throws spec::InputError for programs that no control could read, and if the adapter cannot be run at all. Folders of
 // programs that conform are removed.
-AdapterCertificate certify_adapter(const AdapterCampaign& campaign);
+AdapterCertificate certify_adapter(const AdapterCertificationOptions& certification);
 
 // 1 if there is a new difference; 3 if nothing was judged, or if something was undecided or interrupted, or the adapter
 // failed; otherwise 0.

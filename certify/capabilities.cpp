@@ -249,7 +249,7 @@ std::string write_capabilities(const Capabilities& capabilities) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-fuzz::JudgeOptions judge_options(const Capabilities& capabilities) {
+judge::JudgeOptions judge_options(const Capabilities& capabilities) {
   return {capabilities.fields, capabilities.resolution.numbers(), capabilities.known};
 }
 
@@ -284,12 +284,12 @@ std::string AnnouncedResolution::words() const {
   return rounding.empty() ? text : text + ", rounded " + rounding;
 }
 
-fuzz::Resolution AnnouncedResolution::numbers() const {
+judge::Resolution AnnouncedResolution::numbers() const {
   const auto number = [](const std::string& text) { return text.empty() ? 0.0 : std::stod(text); };
-  const auto rounded = rounding == "nearest"       ? fuzz::Rounding::nearest
-                       : rounding == "down"        ? fuzz::Rounding::down
-                       : rounding == "toward zero" ? fuzz::Rounding::toward_zero
-                                                   : fuzz::Rounding::unknown;
+  const auto rounded = rounding == "nearest"       ? judge::Rounding::nearest
+                       : rounding == "down"        ? judge::Rounding::down
+                       : rounding == "toward zero" ? judge::Rounding::toward_zero
+                                                   : judge::Rounding::unknown;
   return {number(mm), number(inch), number(degrees), number(vectors), rounded};
 }
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/oracle/resolution.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/resolution.h"
+#include "judge/oracle/verdict.h"
 #include "spec/language/case.h"
 #include "spec/language/known.h"
 
@@ -26,7 +26,7 @@ struct AnnouncedResolution {
   // "0.001 mm, 0.0001 inch, 0.001 degrees, to nearest"
   [[nodiscard]] std::string words() const;
   // In the form that the oracle needs.
-  [[nodiscard]] fuzz::Resolution numbers() const;
+  [[nodiscard]] judge::Resolution numbers() const;
 };
 
 // The answer to {"hello":1} (docs/protocol.md).
@@ -43,7 +43,7 @@ struct Capabilities {
 };
 
 // The options for judging such a controller.
-fuzz::JudgeOptions judge_options(const Capabilities& capabilities);
+judge::JudgeOptions judge_options(const Capabilities& capabilities);
 
 // Reads that answer. Unknown keys are ignored. Throws spec::InputError for text that is not such an answer: not JSON, a
 // protocol other than 1, a key of the wrong type, a resolution that is not a positive decimal, a setup that no control

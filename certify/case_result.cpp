@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "certify/event_fields.h"
-#include "corpus/sha256.h"
+#include "host/sha256.h"
 #include "spec/language/setup_format.h"
 
 namespace toolcomp::certify {
@@ -34,7 +34,7 @@ CaseResult not_asked(const spec::Case& c, Origin origin, Result result, std::str
   return r;
 }
 
-CaseResult asked_and_judged(const spec::Case& c, Origin origin, const fuzz::ModelRun& run, const Answer& answer,
+CaseResult asked_and_judged(const spec::Case& c, Origin origin, const judge::ModelRun& run, const Answer& answer,
                             Judgement judgement) {
   // Those of the fast engine are all there.
   const bool needed = std::holds_alternative<TextEvents>(answer.result);
@@ -102,7 +102,7 @@ std::vector<NeverSent> never_sent(const std::vector<std::string>& announced, con
 }
 
 std::string setups_hash(const std::set<std::string>& setups) {
-  corpus::Sha256 hash;
+  host::Sha256 hash;
   for (const std::string& setup : setups) {
     hash.update(setup);
     hash.update("\n");

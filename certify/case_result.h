@@ -20,7 +20,7 @@ struct CaseResult {
   Origin origin = Origin::own;
   std::string section;
   std::string setup;  // JSON; of a case that was asked
-  fuzz::Verdict verdict;
+  judge::Verdict verdict;
   FailureKey key;  // with `differs`
   std::string id;
   std::string why;
@@ -42,7 +42,7 @@ CaseResult not_asked(const spec::Case& c, Origin origin, Result result, std::str
 // The result of a case that was asked, with its judgement. `fields` are the fields of the model's events.
 CaseResult asked_and_judged(const spec::Case& c, Origin origin, const spec::FieldSet& fields, const Answer& answer,
                             Judgement judgement);
-CaseResult asked_and_judged(const spec::Case& c, Origin origin, const fuzz::ModelRun& run, const Answer& answer,
+CaseResult asked_and_judged(const spec::Case& c, Origin origin, const judge::ModelRun& run, const Answer& answer,
                             Judgement judgement);
 
 // The result as it counts. For one of the user's own programs every case counts. For golden and generated cases, which

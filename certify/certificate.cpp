@@ -8,8 +8,8 @@
 #include <array>
 
 #include "certify/sort_by.h"
-#include "corpus/sha256.h"
 #include "fuzz/gen/generator.h"
+#include "host/sha256.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -205,7 +205,7 @@ std::string_view kind_name(spec::ClauseKind kind) {
 }
 
 std::string clause_set_hash() {
-  corpus::Sha256 hash;
+  host::Sha256 hash;
   for (const spec::ClauseInfo& c : spec::clauses())
     for (const std::string_view part : {c.id, c.section, kind_name(c.kind), c.text, c.formula, c.parameters,
                                         c.alternatives, c.positive, c.negative, c.tie, c.unreachable, c.replaced_by}) {

@@ -47,10 +47,10 @@ struct SectionResult {
   // Cases that do not apply because the controller does them otherwise by design, as it says, by the name of the
   // difference.
   std::map<std::string, std::uint64_t> known_differences;
-  fuzz::Widths widths;   // that were granted
+  judge::Widths widths;  // that were granted
   double worst_ulp = 0;  // in the units that the policy multiplies by k
   double worst_um = 0;
-  fuzz::Bias bias;  // of rounded lengths
+  judge::Bias bias;  // of rounded lengths
 
   [[nodiscard]] std::uint64_t count(Result result) const { return results[static_cast<std::size_t>(result)]; }
   [[nodiscard]] std::uint64_t count(Origin origin) const { return cases[static_cast<std::size_t>(origin)]; }

@@ -8,9 +8,9 @@
 
 #include "certify/long_program.h"
 #include "certify/subject.h"
-#include "formal/engine.h"
-#include "fuzz/oracle/trial.h"
+#include "judge/oracle/trial.h"
 #include "spec/language/input_error.h"
+#include "spec_engine/engine.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -23,11 +23,11 @@ std::uintmax_t size_of(const input::Program& program) {
 }
 
 // Laws are asked with all events at hand, and not of what can be read only once.
-std::uint64_t ask_laws(const input::Program& program, fuzz::Verdict& verdict) {
-  if (verdict.outcome != fuzz::Outcome::agrees && verdict.outcome != fuzz::Outcome::nothing_judged) return 0;
+std::uint64_t ask_laws(const input::Program& program, judge::Verdict& verdict) {
+  if (verdict.outcome != judge::Outcome::agrees && verdict.outcome != judge::Outcome::nothing_judged) return 0;
   if (program.text().once || size_of(program) > kLargestAtOnce) return 0;
   const spec::Case c = program.as_case();
-  return fuzz::hold_laws(c, fuzz::run_model(c), verdict);
+  return judge::hold_laws(c, judge::run_model(c), verdict);
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ std::uint64_t ask_laws(const input::Program& program, fuzz::Verdict& verdict) {
 Comparison compare_fast(const input::Program& program, void (*on_block)(std::uint64_t)) {
   Comparison result;
   try {
-    result.verdict = fuzz::judge_stream(program.text(), program.setup(), program.samples(), on_block);
+    result.verdict = judge::judge_stream(program.text(), program.setup(), program.samples(), on_block);
   } catch (const spec::InputError& error) {
     throw program.placed(error);
   }
@@ -44,10 +44,10 @@ Comparison compare_fast(const input::Program& program, void (*on_block)(std::uin
 }
 
 Judgement compare_specification(const input::Program& program) {
-  if (!formal::available())
+  if (!spec_engine::available())
     throw spec::InputError("--engines", 0, 0, "this toolcomp was built without the formal specification");
   const spec::Case c = program.as_case();
-  const fuzz::ModelRun run = fuzz::run_model(c);
+  const judge::ModelRun run = judge::run_model(c);
   const auto specification = formal_specification();
   const auto able = std::get<Capabilities>(specification->capabilities());
   Judgement judgement = judge_case(*specification, able, c, run);

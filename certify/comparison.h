@@ -6,12 +6,12 @@
 
 #include "certify/input/program.h"
 #include "certify/judge.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 
 namespace toolcomp::certify {
 
 struct Comparison {
-  fuzz::Verdict verdict;
+  judge::Verdict verdict;
   std::uint64_t questions = 0;  // number of law checks
 };
 

@@ -39,24 +39,24 @@ std::variant<std::string, Fault> Controller::exchange(std::string_view line, std
   std::string reply;
   while (process_->take_line(reply))
     if (!is_chatter(reply)) return fault(FaultKind::malformed, "more than one line for one request");
-  const Clock::time_point begin = Clock::now();
-  Exchange end = process_->exchange(line, reply, begin + timeout, options_.reply_limit);
-  while (end == Exchange::line && is_chatter(reply)) {
+  const host::Clock::time_point begin = host::Clock::now();
+  host::Exchange end = process_->exchange(line, reply, begin + timeout, options_.reply_limit);
+  while (end == host::Exchange::line && is_chatter(reply)) {
     if (chatter_for_answers_ && greeted_)
       return Fault{FaultKind::malformed, "no answer, but wrote " + last_chatter_, {}, process_->errors()};
     end = process_->receive_line(reply, begin + timeout, options_.reply_limit);
   }
-  const auto elapsed = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - begin);
+  const auto elapsed = std::chrono::duration_cast<std::chrono::milliseconds>(host::Clock::now() - begin);
   switch (end) {
-    case Exchange::line:
+    case host::Exchange::line:
       break;
-    case Exchange::timed_out:
+    case host::Exchange::timed_out:
       chatter_for_answers_ = !last_chatter_.empty();
       return fault(chatter_for_answers_ ? FaultKind::malformed : FaultKind::hang,
                    "no answer within " + std::to_string(timeout.count()) + " ms");
-    case Exchange::closed:
+    case host::Exchange::closed:
       return fault(FaultKind::crash, "ended before it answered", kEndPatience);
-    case Exchange::too_long:
+    case host::Exchange::too_long:
       return fault(FaultKind::too_long, "an answer of more than " + std::to_string(options_.reply_limit) + " bytes");
   }
   slowest_ = std::max(slowest_, elapsed);
@@ -65,7 +65,7 @@ std::variant<std::string, Fault> Controller::exchange(std::string_view line, std
 
 std::optional<Fault> Controller::start(std::chrono::milliseconds timeout) {
   if (process_) return std::nullopt;
-  process_ = std::make_unique<Process>(options_.command);
+  process_ = std::make_unique<host::Process>(options_.command);
   greeted_ = false;
   ++starts_;
   auto reply = exchange(R"({"hello":1})", timeout);

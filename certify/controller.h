@@ -10,8 +10,8 @@
 #include <variant>
 
 #include "certify/answer.h"
-#include "certify/process.h"
 #include "certify/subject.h"
+#include "host/process.h"
 
 namespace toolcomp::certify {
 
@@ -49,7 +49,7 @@ class Controller final : public Subject {
   bool is_chatter(std::string_view line);
 
   ControllerOptions options_;
-  std::unique_ptr<Process> process_;
+  std::unique_ptr<host::Process> process_;
   std::optional<Capabilities> capabilities_;  // of its first answer to hello
   std::string hello_;                         // that answer as it came
   std::chrono::milliseconds slowest_{0};

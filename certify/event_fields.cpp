@@ -72,7 +72,7 @@ FieldSet fields_of(const model::Event& event) {
   return fields;
 }
 
-FieldSet fields_of(const fuzz::ModelRun& run) {
+FieldSet fields_of(const judge::ModelRun& run) {
   FieldSet fields;
   for (const model::Event& event : run.events) fields.add(fields_of(event));
   return fields;

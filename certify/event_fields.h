@@ -2,7 +2,7 @@
 // The fields that the model's events have. A controller that announces them has to send them.
 #pragma once
 
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 #include "spec/language/fields.h"
 
 namespace toolcomp::certify {
@@ -12,6 +12,6 @@ inline constexpr std::string_view kNeverSent = "field never sent";
 
 spec::FieldSet fields_of(const model::Event& event);
 // The fields of all events of a run.
-spec::FieldSet fields_of(const fuzz::ModelRun& run);
+spec::FieldSet fields_of(const judge::ModelRun& run);
 
 }  // namespace toolcomp::certify

@@ -129,9 +129,9 @@ class Evidence {
   }
 
   // A case of which it is worth while to ask; nothing where no control could read it.
-  std::optional<fuzz::ModelRun> candidate(const spec::Case& c) const {
+  std::optional<judge::ModelRun> candidate(const spec::Case& c) const {
     try {
-      fuzz::ModelRun run = fuzz::run_model(c);
+      judge::ModelRun run = judge::run_model(c);
       // A fault costs a restart, a hang its time-out: no need to see it once more where the clause is another anyway.
       if (is_fault(key_)) {
         const auto clause = clause_of_fault(run);
@@ -320,7 +320,7 @@ Finding as_seen(const Capabilities& capabilities, const Witness& witness) {
   f.before = witness.before;
   f.status = witness.judgement.status;
   f.errors = witness.judgement.errors;
-  f.expected_events = in_doubles(fuzz::run_model(f.smallest).events);
+  f.expected_events = in_doubles(judge::run_model(f.smallest).events);
   f.actual_events = witness.answer;
   if (const auto& d = witness.judgement.difference) {
     f.line = d->line;

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "certify/serve.h"
-#include "fuzz/oracle/compare.h"
+#include "judge/oracle/compare.h"
 #include "model/exact/alike.h"
 #include "spec/language/event_json.h"
 #include "spec/language/naming_clause.h"
@@ -62,7 +62,7 @@ std::string shown(const Json& value) {
 }
 
 // The first field in which two events differ: "axes.Z".
-void name_field(const Json& expected, const Json& said, const std::string& path, fuzz::Difference& difference) {
+void name_field(const Json& expected, const Json& said, const std::string& path, judge::Difference& difference) {
   if (expected.is_object() && said.is_object()) {
     for (const Json* of : {&expected, &said})
       for (const auto& [key, value] : of->items()) {
@@ -79,7 +79,7 @@ void name_field(const Json& expected, const Json& said, const std::string& path,
 
 // A run that could not certify a sign. What it held then went out as if nothing followed.
 bool gives_up(const std::vector<model::Event>& run) {
-  return !run.empty() && run.back().kind == spec::EventKind::undecided && !fuzz::left_open(run.back());
+  return !run.empty() && run.back().kind == spec::EventKind::undecided && !judge::left_open(run.back());
 }
 
 class Held {
@@ -117,18 +117,18 @@ class Held {
     for (const auto* const run : {&model_, &said_})
       if (gives_up(*run)) {
         result_.undecided = std::string(run == &model_ ? "the model" : "the formal specification") +
-                            " could not decide: " + fuzz::describe(run->back());
+                            " could not decide: " + judge::describe(run->back());
         return;
       }
-    fuzz::Difference& d = result_.difference.emplace();
+    judge::Difference& d = result_.difference.emplace();
     d.kind = kSpecificationKind;
     d.event = i;
     d.line = (expected != nullptr ? *expected : said_[i]).line;
     if (expected != nullptr) d.clauses = expected->clauses;
     d.clause = spec::naming_clause(d.clauses);
     d.field = "event";
-    d.expected = expected != nullptr ? fuzz::describe(*expected) : "no more events";
-    d.actual = said != nullptr ? fuzz::describe(*said) : "no more events";
+    d.expected = expected != nullptr ? judge::describe(*expected) : "no more events";
+    d.actual = said != nullptr ? judge::describe(*said) : "no more events";
     // Events that people would call the same differ in a field.
     if (expected != nullptr && said != nullptr && d.expected == d.actual)
       name_field(Json::parse(text(bare(*expected), axes_)), Json::parse(text(bare(*said), axes_)), "", d);

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 #include "model/basis/event.h"
 #include "spec/language/axes.h"
 
@@ -19,8 +19,8 @@ inline constexpr const char* kSpecificationKind = "specification";
 // except clauses and messages, and every number equal to kModelDigits decimals. There is no tolerance, because both are
 // exact.
 struct Exactly {
-  std::optional<fuzz::Difference> difference;  // the first difference; its clause is that of the model's event
-  std::uint64_t values = 0;                    // number of compared numbers and alarm numbers
+  std::optional<judge::Difference> difference;  // the first difference; its clause is that of the model's event
+  std::uint64_t values = 0;                     // number of compared numbers and alarm numbers
   std::string undecided;  // why they cannot be compared: a sign or digits that one of them cannot certify
 };
 Exactly hold_exactly(const spec::Axes& axes, const std::vector<model::Event>& model,

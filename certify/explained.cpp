@@ -12,7 +12,7 @@
 
 #include "certify/block_words.h"
 #include "fuzz/gen/program_text.h"
-#include "fuzz/oracle/control.h"
+#include "judge/oracle/control.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::certify {
@@ -46,7 +46,7 @@ constexpr std::size_t kMostBlocks = 200'000;
 class BothRuns {
  public:
   explicit BothRuns(const input::Program& program) : setup_(program.setup()) {
-    fuzz::with_control(setup_, [&]<class Control>(Control) { run<Control>(program); });
+    judge::with_control(setup_, [&]<class Control>(Control) { run<Control>(program); });
   }
 
   // Lines are counted by block; more than one block may begin in a line that runs again.
@@ -74,7 +74,7 @@ class BothRuns {
   void run(const input::Program& program) {
     auto model = Control::model(setup_, recorder_, exact_, program.samples());
     auto fast = Control::fast(setup_, fast_, program.samples());
-    const fuzz::StreamedProgram text = program.text();
+    const judge::StreamedProgram text = program.text();
     std::string read;
     auto reader =
         Control::reader(std::make_unique<KeptText>(text.open(), read), setup_, text.name, text.called_program);

@@ -29,7 +29,7 @@ struct Finding {
   std::string controller;          // the command; empty: the built-in fast engine; or kFormalSpecification
   std::string directory;           // folder in which it was run
   Capabilities subject;            // what it announced; without a name if it could not be asked
-  std::string seed;                // of the campaign
+  std::string seed;                // of the certification or campaign
   std::string target;              // the fuzz target, if a campaign found it
   std::uint64_t executions = 0;    // executions of the worker up to and including this one; 0: not known
   double seconds = 0;              // since the start of that worker

@@ -8,8 +8,8 @@
 
 #include "certify/exactly.h"
 #include "certify/program_text.h"
-#include "fuzz/oracle/policy.h"
-#include "fuzz/oracle/trial.h"
+#include "judge/oracle/policy.h"
+#include "judge/oracle/trial.h"
 #include "spec/language/printable.h"
 
 namespace toolcomp::certify {
@@ -30,7 +30,7 @@ std::string share_judged(std::string_view program, std::uint64_t before_line) {
 
 // The last clause among those of the events before and at `last`; where none was applied, a move is wrong that is
 // nothing but its block's own.
-std::optional<spec::Clause> last_clause(const fuzz::ModelRun& run, std::size_t last) {
+std::optional<spec::Clause> last_clause(const judge::ModelRun& run, std::size_t last) {
   for (std::size_t i = std::min(last + 1, run.events.size()); i-- > 0;) {
     const spec::ClauseList& list = run.events[i].clauses;
     if (!list.empty()) return list.back();
@@ -39,17 +39,17 @@ std::optional<spec::Clause> last_clause(const fuzz::ModelRun& run, std::size_t l
 }
 
 // The difference of an answer that is judged without the oracle.
-Judgement differs(fuzz::Difference difference) {
+Judgement differs(judge::Difference difference) {
   Judgement j;
   j.result = Result::differs;
-  j.verdict.outcome = fuzz::Outcome::differs;
+  j.verdict.outcome = judge::Outcome::differs;
   j.verdict.difference = difference;
   j.difference = std::move(difference);
   return j;
 }
 
-Judgement fault(const Fault& fault, const fuzz::ModelRun& run) {
-  fuzz::Difference d;
+Judgement fault(const Fault& fault, const judge::ModelRun& run) {
+  judge::Difference d;
   d.kind = name(fault.kind);
   d.field = "reply";
   d.expected = "one line with the id and the events of the case";
@@ -62,8 +62,8 @@ Judgement fault(const Fault& fault, const fuzz::ModelRun& run) {
   return j;
 }
 
-Judgement missing_field(const MissingField& missing, const fuzz::ModelRun& run) {
-  fuzz::Difference d;
+Judgement missing_field(const MissingField& missing, const judge::ModelRun& run) {
+  judge::Difference d;
   d.kind = "missing field";
   d.field = missing.field;
   d.line = missing.line;
@@ -75,7 +75,7 @@ Judgement missing_field(const MissingField& missing, const fuzz::ModelRun& run) 
 }
 
 // What was judged without the oracle's bounds; laws are not asked.
-Judgement exactly(const spec::Case& c, const fuzz::ModelRun& run, const ExactEvents& events) {
+Judgement exactly(const spec::Case& c, const judge::ModelRun& run, const ExactEvents& events) {
   const Exactly held = hold_exactly(c.setup.axes, run.events, events);
   Judgement j;
   if (held.difference) {
@@ -83,26 +83,26 @@ Judgement exactly(const spec::Case& c, const fuzz::ModelRun& run, const ExactEve
     if (!j.difference->clause) j.difference->clause = last_clause(run, j.difference->event);
   } else if (!held.undecided.empty()) {
     j.result = Result::undecided;
-    j.verdict.outcome = fuzz::Outcome::undecided;
+    j.verdict.outcome = judge::Outcome::undecided;
     j.why = j.verdict.undecided = held.undecided;
   } else if (held.values > 0) {
     j.result = Result::agrees;
-    j.verdict.outcome = fuzz::Outcome::agrees;
+    j.verdict.outcome = judge::Outcome::agrees;
   }
   j.verdict.values = held.values;
   if (j.result == Result::nothing_judged) j.why = kNoValue;
   return j;
 }
 
-Result result_of(fuzz::Outcome outcome) {
+Result result_of(judge::Outcome outcome) {
   switch (outcome) {
-    case fuzz::Outcome::agrees:
+    case judge::Outcome::agrees:
       return Result::agrees;
-    case fuzz::Outcome::differs:
+    case judge::Outcome::differs:
       return Result::differs;
-    case fuzz::Outcome::undecided:
+    case judge::Outcome::undecided:
       return Result::undecided;
-    case fuzz::Outcome::nothing_judged:
+    case judge::Outcome::nothing_judged:
       break;
   }
   return Result::nothing_judged;
@@ -131,19 +131,19 @@ std::string_view name(Result result) {
 }
 
 bool too_many_wide(std::uint64_t values, std::uint64_t wide) {
-  return static_cast<double>(wide) > fuzz::policy::kMostWide * static_cast<double>(values + wide);
+  return static_cast<double>(wide) > judge::policy::kMostWide * static_cast<double>(values + wide);
 }
 
 std::string words_on_wide(std::uint64_t values, std::uint64_t wide) {
   return fmt::format("{} of {} values were granted more than {} µm, and were not judged", wide, values + wide,
-                     fuzz::policy::kCap);
+                     judge::policy::kCap);
 }
 
-std::string words_on_beyond(const fuzz::Beyond& beyond) {
+std::string words_on_beyond(const judge::Beyond& beyond) {
   return fmt::format("line {}: {}; this block and the blocks after it are not judged", beyond.line, beyond.what);
 }
 
-std::optional<spec::Clause> clause_of_fault(const fuzz::ModelRun& run) { return last_clause(run, run.events.size()); }
+std::optional<spec::Clause> clause_of_fault(const judge::ModelRun& run) { return last_clause(run, run.events.size()); }
 
 FailureKey key_of(const spec::Case& c, const Judgement& judgement) {
   FailureKey key;
@@ -174,7 +174,7 @@ Judgement shown(Judgement j) {
   return j;
 }
 
-Judgement judged_answer(const Capabilities& capabilities, const spec::Case& c, const fuzz::ModelRun& run,
+Judgement judged_answer(const Capabilities& capabilities, const spec::Case& c, const judge::ModelRun& run,
                         const Answer& answer) {
   if (const auto* failure = std::get_if<Fault>(&answer.result)) return fault(*failure, run);
   if (const auto* none = std::get_if<NotApplicable>(&answer.result)) {
@@ -191,11 +191,11 @@ Judgement judged_answer(const Capabilities& capabilities, const spec::Case& c, c
   }
   if (const auto* events = std::get_if<ExactEvents>(&answer.result)) return exactly(c, run, *events);
   if (answer.missing) return missing_field(*answer.missing, run);
-  const fuzz::JudgeOptions options = judge_options(capabilities);
+  const judge::JudgeOptions options = judge_options(capabilities);
   const auto* const text = std::get_if<TextEvents>(&answer.result);
-  fuzz::Verdict verdict = text != nullptr ? fuzz::judge(c, run, *text, options)
-                                          : fuzz::judge(c, run, std::get<FastEvents>(answer.result), options);
-  fuzz::hold_laws(c, run, verdict);
+  judge::Verdict verdict = text != nullptr ? judge::judge(c, run, *text, options)
+                                           : judge::judge(c, run, std::get<FastEvents>(answer.result), options);
+  judge::hold_laws(c, run, verdict);
   Judgement j = judged(std::move(verdict));
   // A difference in an event that rests on no clause of its own belongs to what was applied before it.
   if (j.difference && !j.difference->clause) j.difference->clause = last_clause(run, j.difference->event);
@@ -204,14 +204,14 @@ Judgement judged_answer(const Capabilities& capabilities, const spec::Case& c, c
 
 }  // namespace
 
-Judgement judge_answer(const Capabilities& capabilities, const spec::Case& c, const fuzz::ModelRun& run,
+Judgement judge_answer(const Capabilities& capabilities, const spec::Case& c, const judge::ModelRun& run,
                        const Answer& answer) {
   Judgement j = shown(judged_answer(capabilities, c, run, answer));
   if (j.result == Result::partly_judged && j.verdict.beyond) j.why += share_judged(c.program, j.verdict.beyond->line);
   return j;
 }
 
-Judgement judged(fuzz::Verdict verdict) {
+Judgement judged(judge::Verdict verdict) {
   Judgement j;
   j.verdict = std::move(verdict);
   j.result = result_of(j.verdict.outcome);
@@ -228,8 +228,8 @@ Judgement judged(fuzz::Verdict verdict) {
   return j;
 }
 
-Judgement judge_case(Subject& subject, const Capabilities& capabilities, const spec::Case& c, const fuzz::ModelRun& run,
-                     std::optional<std::chrono::milliseconds> patience) {
+Judgement judge_case(Subject& subject, const Capabilities& capabilities, const spec::Case& c,
+                     const judge::ModelRun& run, std::optional<std::chrono::milliseconds> patience) {
   if (std::string why = why_not_applicable(capabilities, c); !why.empty()) {
     Judgement j;
     j.result = Result::not_applicable;

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "certify/subject.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 #include "spec/clauses/clauses.h"
 
 namespace toolcomp::certify {
@@ -31,16 +31,16 @@ bool too_many_wide(std::uint64_t values, std::uint64_t wide);
 std::string words_on_wide(std::uint64_t values, std::uint64_t wide);
 
 // "line 12: G81 (drilling, a canned cycle) is not supported; this block and the blocks after it are not judged".
-std::string words_on_beyond(const fuzz::Beyond& beyond);
+std::string words_on_beyond(const judge::Beyond& beyond);
 
 struct Judgement {
   Result result = Result::nothing_judged;
-  fuzz::Verdict verdict;                       // counts, and the difference
-  std::optional<fuzz::Difference> difference;  // with `differs`
-  std::string status;                          // with a fault: how the process ended
-  std::string errors;                          // and its standard error
-  std::string why;                             // with undecided, nothing_judged, partly_judged, not_applicable
-  std::string known_difference;                // with not_applicable: its name, where the controller says so
+  judge::Verdict verdict;                       // counts, and the difference
+  std::optional<judge::Difference> difference;  // with `differs`
+  std::string status;                           // with a fault: how the process ended
+  std::string errors;                           // and its standard error
+  std::string why;                              // with undecided, nothing_judged, partly_judged, not_applicable
+  std::string known_difference;                 // with not_applicable: its name, where the controller says so
 };
 
 // Two failures with the same key are one finding, even if their programs differ. The key has the section, the clause of
@@ -54,17 +54,17 @@ struct FailureKey {
 FailureKey key_of(const spec::Case& c, const Judgement& judgement);
 
 // The clause to which a fault in this program is attributed: the last one that the model applies.
-std::optional<spec::Clause> clause_of_fault(const fuzz::ModelRun& run);
+std::optional<spec::Clause> clause_of_fault(const judge::ModelRun& run);
 
 // Asks the subject and judges its answer. Exact events are judged by hold_exactly (exactly.h), all others by the
 // oracle. If these agree, the laws are checked on the model's events. The clause of a missing field is the last one of
 // its event. An InputError of the model passes through, because no control could read such a case.
-Judgement judge_case(Subject& subject, const Capabilities& capabilities, const spec::Case& c, const fuzz::ModelRun& run,
-                     std::optional<std::chrono::milliseconds> patience = {});
+Judgement judge_case(Subject& subject, const Capabilities& capabilities, const spec::Case& c,
+                     const judge::ModelRun& run, std::optional<std::chrono::milliseconds> patience = {});
 // The same for a given answer.
-Judgement judge_answer(const Capabilities& capabilities, const spec::Case& c, const fuzz::ModelRun& run,
+Judgement judge_answer(const Capabilities& capabilities, const spec::Case& c, const judge::ModelRun& run,
                        const Answer& answer);
 // The judgement that follows from a verdict of the oracle. The oracle gives the clause of a difference.
-Judgement judged(fuzz::Verdict verdict);
+Judgement judged(judge::Verdict verdict);
 
 }  // namespace toolcomp::certify

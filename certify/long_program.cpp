@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "certify/event_fields.h"
-#include "fuzz/oracle/agreement.h"
-#include "fuzz/oracle/trial.h"
+#include "judge/oracle/agreement.h"
+#include "judge/oracle/trial.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::certify {
@@ -15,20 +15,20 @@ namespace {
 constexpr std::size_t kBeginning = 1 << 16;  // bytes
 
 bool breaks_a_law(const Beginning& beginning) {
-  fuzz::Verdict verdict;
-  fuzz::hold_laws(beginning.c, beginning.run, verdict);
-  return verdict.outcome == fuzz::Outcome::differs;
+  judge::Verdict verdict;
+  judge::hold_laws(beginning.c, beginning.run, verdict);
+  return verdict.outcome == judge::Outcome::differs;
 }
 
 // The fields that agree are added to `fields`.
-std::optional<fuzz::Agreed> agreement(const Capabilities& capabilities, const spec::Case& c, const Answer* answer,
-                                      spec::FieldSet& fields) {
+std::optional<judge::Agreed> agreement(const Capabilities& capabilities, const spec::Case& c, const Answer* answer,
+                                       spec::FieldSet& fields) {
   if (answer == nullptr)
-    return fuzz::streamed_agreement(c, {.fields = {}, .resolution = {}, .known = capabilities.known});
+    return judge::streamed_agreement(c, {.fields = {}, .resolution = {}, .known = capabilities.known});
   const auto* const events = std::get_if<TextEvents>(&answer->result);
   if (events == nullptr || answer->missing || !meets_minimum(capabilities)) return std::nullopt;
-  return fuzz::streamed_agreement(c, *events, judge_options(capabilities),
-                                  [&fields](const model::Event& event) { fields.add(fields_of(event)); });
+  return judge::streamed_agreement(c, *events, judge_options(capabilities),
+                                   [&fields](const model::Event& event) { fields.add(fields_of(event)); });
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ std::optional<Beginning> beginning_of(const spec::Case& c) {
   beginning.lines = static_cast<std::size_t>(std::ranges::count(beginning.c.program, '\n'));
   beginning.c.id = c.id + ", lines 1 to " + std::to_string(beginning.lines);
   try {
-    beginning.run = fuzz::run_model(beginning.c);
+    beginning.run = judge::run_model(beginning.c);
   } catch (const spec::InputError&) {
     return std::nullopt;
   }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "certify/judge.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 #include "model/basis/recorder.h"
 
 namespace toolcomp::certify {
@@ -20,7 +20,7 @@ inline bool is_long(const spec::Case& c) { return c.program.size() > kLargestAtO
 struct Beginning {
   spec::Case c;
   std::size_t lines = 0;
-  fuzz::ModelRun run;
+  judge::ModelRun run;
 };
 // std::nullopt if this part cannot be run by itself.
 std::optional<Beginning> beginning_of(const spec::Case& c);
@@ -31,7 +31,7 @@ struct LongProgram {
   spec::FieldSet fields;                    // fields of the model's events; only for the answer of a controller
 };
 
-// Gives what judge_answer gives if the events agree directly (fuzz::streamed_agreement), with the laws checked only on
+// Gives what judge_answer gives if the events agree directly (judge::streamed_agreement), with the laws checked only on
 // the beginning. Otherwise std::nullopt: such a case is judged with all events in memory. Without an answer, the fast
 // engine in this process is judged.
 std::optional<LongProgram> judge_long(const Capabilities& capabilities, const spec::Case& c, const Answer* answer,

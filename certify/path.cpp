@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <utility>
-#include "fuzz/oracle/number.h"
+#include "judge/oracle/number.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -161,7 +161,7 @@ Point3 start_of(const spec::Setup& setup) {
   Point3 start{};
   for (std::size_t i = 0; i < start.size(); ++i)
     if (const auto entry = setup.position.find(kLetters[i]); entry != setup.position.end())
-      start[i] = fuzz::approximate(entry->second);
+      start[i] = judge::approximate(entry->second);
   return start;
 }
 

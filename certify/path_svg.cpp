@@ -16,8 +16,8 @@
 #include "certify/markup.h"
 #include "certify/path_detail.h"
 #include "certify/path_view.h"
-#include "fuzz/oracle/number.h"
-#include "fuzz/oracle/program_facts.h"
+#include "judge/oracle/number.h"
+#include "judge/oracle/program_facts.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -391,15 +391,15 @@ PathOptions path_options(const spec::Setup& setup) {
   options.start = start_of(setup);
   options.unit = setup.units == spec::Units::mm ? "mm" : "inch";
   if (!setup.tools.empty()) {
-    const double corner = fuzz::approximate(setup.tools.front().r2);
-    options.tool = {fuzz::approximate(setup.tools.front().r) - corner, corner};
+    const double corner = judge::approximate(setup.tools.front().r2);
+    options.tool = {judge::approximate(setup.tools.front().r) - corner, corner};
   }
   return options;
 }
 
 PathOptions path_options(const spec::Case& c) {
   PathOptions options = path_options(c.setup);
-  options.unit = fuzz::ProgramFacts::of(c).units().value_or(c.setup.units) == spec::Units::mm ? "mm" : "inch";
+  options.unit = judge::ProgramFacts::of(c).units().value_or(c.setup.units) == spec::Units::mm ? "mm" : "inch";
   return options;
 }
 

@@ -39,7 +39,7 @@ std::string command_of(const Finding& finding) {
 
 std::string named(const Capabilities& c) { return c.version.empty() ? c.name : c.name + " " + c.version; }
 
-void judge_once(Replay& replay, Subject& subject, const Capabilities& able, const fuzz::ModelRun& run) {
+void judge_once(Replay& replay, Subject& subject, const Capabilities& able, const judge::ModelRun& run) {
   const spec::Case& c = replay.finding.smallest;
   ++replay.tried;
   if (std::string why = why_not_applicable(able, c); !why.empty()) {
@@ -67,7 +67,7 @@ Replay replay(const std::filesystem::path& file, const ReplayOptions& options) {
     throw spec::InputError(
         file.string(), 0, 0,
         "program: has more than " + std::to_string(kMostLines) + " lines, the most that a finding can have");
-  const fuzz::ModelRun run = fuzz::run_model(c);
+  const judge::ModelRun run = judge::run_model(c);
   result.asked = options.controller.value_or(command_of(result.finding));
   const bool theirs = !options.controller && !result.asked.empty() && result.asked != kFormalSpecification;
   if (theirs && options.before_running) options.before_running(result.asked);

@@ -11,7 +11,7 @@
 #include "certify/exactly.h"
 #include "certify/junit.h"
 #include "certify/markup.h"
-#include "spec/language/file_writer.h"
+#include "host/file_writer.h"
 #include "spec/language/known.h"
 
 namespace toolcomp::certify {
@@ -136,7 +136,7 @@ junit::Suite suite_of(const Certificate& c, const SectionResult& s) {
 
 }  // namespace
 
-void remove_findings(const std::filesystem::path& report, const std::vector<spec::FileText>& but) {
+void remove_findings(const std::filesystem::path& report, const std::vector<host::FileText>& but) {
   const std::filesystem::path folder = report / "findings";
   if (!std::filesystem::is_directory(folder)) return;
   std::vector<std::filesystem::path> old;
@@ -144,7 +144,7 @@ void remove_findings(const std::filesystem::path& report, const std::vector<spec
     const std::string file = entry.path().filename().string();
     const bool ours = file.size() > 3 && file[0] >= '0' && file[0] <= '9' && file[1] >= '0' && file[1] <= '9' &&
                       file.ends_with(".json");
-    const bool stays = std::ranges::find(but, entry.path(), &spec::FileText::first) != but.end();
+    const bool stays = std::ranges::find(but, entry.path(), &host::FileText::first) != but.end();
     if (ours && !stays) old.push_back(entry.path());
   }
   for (const auto& path : old) std::filesystem::remove(path);
@@ -272,7 +272,7 @@ std::string junit_report(const Certificate& c) {
 }
 
 std::vector<std::filesystem::path> write_report(const Certificate& c, const std::filesystem::path& folder) {
-  std::vector<spec::FileText> files{{folder / "certificate.json", json_report(c)},
+  std::vector<host::FileText> files{{folder / "certificate.json", json_report(c)},
                                     {folder / "junit.xml", junit_report(c)},
                                     {folder / "certificate.sarif", sarif_report(c)},
                                     {folder / "index.html", html_report(c)}};
@@ -281,7 +281,7 @@ std::vector<std::filesystem::path> write_report(const Certificate& c, const std:
     paths.push_back(folder / "findings" / file_name(c.findings[i], i));
     files.emplace_back(paths.back(), write_finding(c.findings[i]));
   }
-  spec::write_files(files);
+  host::write_files(files);
   remove_findings(folder, files);
   return paths;
 }
@@ -364,7 +364,7 @@ std::string junit_report(const TraceReport& report) {
 }
 
 void write_report(const TraceReport& report, const std::filesystem::path& folder) {
-  spec::write_files({{folder / "certificate.json", json_report(report)},
+  host::write_files({{folder / "certificate.json", json_report(report)},
                      {folder / "junit.xml", junit_report(report)},
                      {folder / "certificate.sarif", sarif_report(report)},
                      {folder / "index.html", html_report(report)}});

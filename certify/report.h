@@ -9,7 +9,7 @@
 #include "certify/certificate.h"
 #include "certify/path_svg.h"
 #include "certify/trace/trace.h"
-#include "spec/language/file_writer.h"
+#include "host/file_writer.h"
 
 namespace toolcomp::certify {
 
@@ -31,7 +31,7 @@ std::string sarif_report(const Certificate& certificate);
 std::vector<std::filesystem::path> write_report(const Certificate& certificate, const std::filesystem::path& folder);
 
 // Removes the findings of a report in the folder, except these.
-void remove_findings(const std::filesystem::path& report, const std::vector<spec::FileText>& but = {});
+void remove_findings(const std::filesystem::path& report, const std::vector<host::FileText>& but = {});
 
 // The same for a trace of program `c`, recorded in `file`.
 struct TraceReport {

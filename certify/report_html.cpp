@@ -11,7 +11,7 @@
 #include "certify/report.h"
 #include "certify/view/view.h"
 #include "fuzz/gen/generator.h"
-#include "fuzz/oracle/policy.h"
+#include "judge/oracle/policy.h"
 #include "spec/language/known.h"
 #include "spec/language/setup_format.h"
 
@@ -99,7 +99,7 @@ std::vector<std::string> not_judged(const Certificate& c, const SectionResult& a
   if (all.wide > 0)
     items.push_back(
         fmt::format("{} values with a tolerance of more than {} µm ({} cases have more than {} % of such values)",
-                    all.wide, fuzz::policy::kCap, all.wide_cases, 100 * fuzz::policy::kMostWide));
+                    all.wide, judge::policy::kCap, all.wide_cases, 100 * judge::policy::kMostWide));
   if (all.cut_cases > 0)
     items.push_back("the end of " + plural(all.cut_cases, "case") +
                     ", from the first word that is not supported or not judged");
@@ -192,8 +192,8 @@ std::string sections(const Certificate& c) {
     cases.push_back(std::move(row));
     values.push_back({code(section_name(s.section)), count(s.values), count(s.wide), count(s.out_of_scope),
                       count(s.decisions), count(s.near_ties), count(s.ties), small(s.worst_um), small(s.worst_ulp),
-                      plain(fuzz::policy::budget(s.section).coordinate),
-                      escape(fuzz::policy::budget(s.section).proved)});
+                      plain(judge::policy::budget(s.section).coordinate),
+                      escape(judge::policy::budget(s.section).proved)});
   }
   std::string out = "<h2 id=\"sections\">Sections</h2>\n<h3>Cases</h3>\n" + table(cases, 1) +
                     "<h3>Values judged in these cases</h3>\n" + table(values, 1);

@@ -8,7 +8,7 @@
 
 #include "certify/report.h"
 #include "certify/sarif.h"
-#include "corpus/sha256.h"
+#include "host/sha256.h"
 #include "spec/language/known.h"
 
 namespace toolcomp::certify {
@@ -60,7 +60,7 @@ Json location(const Finding& f, std::size_t index) {
 }
 
 std::string fingerprint(const FailureKey& key) {
-  return corpus::sha256(key.section + '\n' + key.clause + '\n' + key.kind);
+  return host::sha256(key.section + '\n' + key.clause + '\n' + key.kind);
 }
 
 Json result(const Certificate& c, const SharedCause& group, const std::vector<std::string>& rules) {

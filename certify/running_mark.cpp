@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "certify/running_mark.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <ctime>
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
 
+#include "host/date.h"
+#include "host/file_writer.h"
 #include "spec/language/byte_source.h"
-#include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
 #include "spec/language/outside_json.h"
 
@@ -58,7 +57,7 @@ RunningMark::RunningMark(const fs::path& folder, std::string command)
     : made_folder_(!fs::exists(folder)),
       file_(folder / "running.json"),
       command_(std::move(command)),
-      begun_(fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))),
+      begun_(host::time_of_now()),
       earlier_(read_mark(file_)) {
   write(0, 0);
 }
@@ -76,7 +75,7 @@ void RunningMark::progress(std::uint64_t done, std::uint64_t all) {
 void RunningMark::write(std::uint64_t done, std::uint64_t all) {
   last_ = std::chrono::steady_clock::now();
   const Json state{{"process", ::getpid()}, {"begun", begun_}, {"controller", command_}, {"done", done}, {"all", all}};
-  spec::write_file(file_, state.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  host::write_file(file_, state.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 std::optional<fs::path> set_aside(const fs::path& folder) {

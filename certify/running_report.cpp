@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "certify/report.h"
-#include "spec/language/file_writer.h"
+#include "host/file_writer.h"
 
 namespace toolcomp::certify {
 
@@ -22,7 +22,7 @@ void RunningReport::found(const Finding& finding) {
   if (files_.empty()) remove_findings(folder_);
   auto [place, fresh] = files_.try_emplace(finding.key);
   if (fresh) place->second = folder_ / "findings" / file_name(finding, files_.size() - 1);
-  spec::write_file(place->second, write_finding(finding));
+  host::write_file(place->second, write_finding(finding));
 }
 
 }  // namespace toolcomp::certify

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files on disk while a campaign runs. Whatever ends the campaign, even a kill, the findings so far are there.
+// The files on disk while a certification runs. Whatever ends it, even a kill, the findings so far are there.
 #pragma once
 
 #include <cstdint>

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "certify/report.h"
-#include "corpus/sha256.h"
+#include "host/sha256.h"
 
 namespace toolcomp::certify::sarif {
 namespace {
@@ -67,7 +67,7 @@ void TraceResults::add(const std::string& kind, const std::string& message, cons
                                        {{"artifactLocation", {{"uri", uri_of(file)}}},
                                         {"region", {{"startLine", std::max<std::uint64_t>(line, 1)}}}}},
                                       {"logicalLocations", Json::array({{{"name", place}}})}}});
-  result["partialFingerprints"] = {{"trace/v1", corpus::sha256(fingerprint)}};
+  result["partialFingerprints"] = {{"trace/v1", host::sha256(fingerprint)}};
   result["occurrenceCount"] = 1;
   results_.push_back(std::move(result));
 }

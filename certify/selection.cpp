@@ -12,9 +12,9 @@
 #include "fuzz/gen/generator.h"
 #include "fuzz/gen/mutate.h"
 #include "fuzz/gen/program_text.h"
-#include "fuzz/oracle/compare.h"
-#include "fuzz/oracle/control.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/compare.h"
+#include "judge/oracle/control.h"
+#include "judge/oracle/verdict.h"
 #include "spec/language/input_error.h"
 #include "spec/language/parameter.h"
 
@@ -54,7 +54,7 @@ bool possible(const spec::Case& c) {
   } nowhere;
   model::Recorder recorder;
   try {
-    fuzz::with_control(c.setup, [&]<class Control>(Control) {
+    judge::with_control(c.setup, [&]<class Control>(Control) {
       const auto engine = Control::model(c.setup, recorder, nowhere, 0);
       typename Control::Reader reader = Control::reader(spec::text_source(c.program), c.setup, "program");
       const auto block = std::make_unique<typename Control::Block>();
@@ -68,13 +68,13 @@ bool possible(const spec::Case& c) {
 }
 
 // A case that the model cannot decide certifies nothing; what the specification leaves open is another thing.
-bool is_decided(const fuzz::ModelRun& run) {
+bool is_decided(const judge::ModelRun& run) {
   return run.events.empty() || run.events.back().kind != spec::EventKind::undecided ||
-         fuzz::left_open(run.events.back());
+         judge::left_open(run.events.back());
 }
 bool is_decided(const spec::Case& c) {
   try {
-    return is_decided(fuzz::run_model(c));
+    return is_decided(judge::run_model(c));
   } catch (const spec::InputError&) {
     return true;  // of the setup: told where the case is asked
   }
@@ -170,7 +170,7 @@ class Selecting {
     if (!spec::has_allowed_parameters(c.setup)) return false;  // no reader would take it
     Candidate candidate{std::move(c), {}, {}};
     try {
-      const fuzz::ModelRun run = fuzz::run_model(candidate.c);
+      const judge::ModelRun run = judge::run_model(candidate.c);
       if (!is_decided(run)) return false;
       candidate.features = fuzz::features(run.recorder);
       candidate.alarms = alarms_and_words(candidate.c, run.events);

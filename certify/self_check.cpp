@@ -7,29 +7,29 @@
 
 #include "certify/convert.h"
 #include "certify/subject.h"
-#include "corpus/sha256.h"
 #include "fuzz/gen/generator.h"
-#include "fuzz/oracle/verdict.h"
+#include "host/sha256.h"
+#include "judge/oracle/verdict.h"
 
 namespace toolcomp::certify {
 namespace {
 
 // The judge on a program whose last event sends an axis to a place that is known.
 std::string check_judge(const spec::Case& c, std::size_t axis, std::string_view place) {
-  const fuzz::ModelRun run = fuzz::run_model(c);
+  const judge::ModelRun run = judge::run_model(c);
   TextEvents events;
   constexpr int kDigits = 40;
   for (const model::Event& event : run.events) events.push_back(in_text(event, kDigits));
-  const auto judged = [&](const TextEvents& answer) { return fuzz::judge(c, run, answer).outcome; };
+  const auto judged = [&](const TextEvents& answer) { return judge::judge(c, run, answer).outcome; };
   if (events.size() != 2 || events.back().axes[axis].v != place)
     return fmt::format("{}: the model does not send {} to {}", c.section, c.setup.axes.letter(axis), place);
-  if (judged(events) != fuzz::Outcome::agrees) return c.section + ": the model's own events are not accepted";
+  if (judged(events) != judge::Outcome::agrees) return c.section + ": the model's own events are not accepted";
   const TextEvents fewer(events.begin(), events.end() - 1);
-  if (judged(fewer) != fuzz::Outcome::differs) return c.section + ": a missing event is not noticed";
+  if (judged(fewer) != judge::Outcome::differs) return c.section + ": a missing event is not noticed";
   TextEvents moved = events;
   moved.back().axes.set(axis,
                         {std::string(place) + (place.find('.') == std::string_view::npos ? ".001" : "1"), {}, {}});
-  if (judged(moved) != fuzz::Outcome::differs) return c.section + ": a deviation is not noticed";
+  if (judged(moved) != judge::Outcome::differs) return c.section + ": a deviation is not noticed";
   return {};
 }
 
@@ -58,7 +58,7 @@ std::string self_check() {
   heidenhain.program =
       "TOOL CALL 1 Z DL+0.25 DR+0.3 DR2+0.1\nL Z+9 R0 FMAX M107\nLN X+0 Y+0 Z+0 NX+0.6 NY+0 NZ+0.8 R0 F500\n";
   if (const std::string failure = check_judge(heidenhain, 0, "0.26"); !failure.empty()) return failure;
-  if (corpus::sha256("abc") != "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad")
+  if (host::sha256("abc") != "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad")
     return "SHA-256 is wrong";
   return {};
 }

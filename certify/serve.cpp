@@ -4,14 +4,14 @@
 #include <streambuf>
 
 #include "fast/basis/print.h"
-#include "formal/engine.h"
 #include "fuzz/gen/generator.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 #include "model/basis/print.h"
 #include "spec/language/case_format.h"
 #include "spec/language/event_json.h"
 #include "spec/language/input_error.h"
 #include "spec/language/json_text.h"
+#include "spec_engine/engine.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -48,7 +48,7 @@ std::string not_applicable(const spec::Case& c, const std::string& why) {
 
 // The events of the formal specification, where it says all of the program.
 std::string specified(const spec::Case& c) {
-  const formal::Run run = formal::run(c);
+  const spec_engine::Run run = spec_engine::run(c);
   if (!run.not_said.empty()) return not_applicable(c, run.not_said);
   return reply(c, run.events, append_exact);
 }
@@ -83,7 +83,7 @@ Capabilities served_capabilities(ServedEngine engine) {
   c.version = TOOLCOMP_VERSION;
   if (engine == ServedEngine::specification) {
     c.name = "toolcomp formal specification";
-    c.sections = formal::sections();
+    c.sections = spec_engine::sections();
     c.fields = all_fields();
     return c;
   }
@@ -98,8 +98,8 @@ std::string answer(ServedEngine engine, std::string_view request) {
   const spec::Case c = spec::read_case(request, "stdin");
   if (engine == ServedEngine::specification) return specified(c);
   if (engine == ServedEngine::fast)
-    return reply(c, fuzz::run_fast(c), [](std::string& out, double value) { fast::append_number(out, value); });
-  return reply(c, fuzz::run_model(c).events, append_exact);
+    return reply(c, judge::run_fast(c), [](std::string& out, double value) { fast::append_number(out, value); });
+  return reply(c, judge::run_model(c).events, append_exact);
 }
 
 std::uint64_t serve(ServedEngine engine, std::istream& in, std::ostream& out, std::ostream& errors, std::size_t limit) {

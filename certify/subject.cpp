@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "certify/serve.h"
-#include "formal/engine.h"
 #include "fuzz/gen/generator.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
+#include "spec_engine/engine.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -24,7 +24,7 @@ class BuiltInEngine final : public Subject {
   }
 
   Answer run(const spec::Case& c, std::optional<std::chrono::milliseconds> /*patience*/) override {
-    return {fuzz::run_fast(c), {}, {}};
+    return {judge::run_fast(c), {}, {}};
   }
 };
 
@@ -33,7 +33,7 @@ class FormalSpecification final : public Subject {
   std::variant<Capabilities, Fault> capabilities() override { return served_capabilities(ServedEngine::specification); }
 
   Answer run(const spec::Case& c, std::optional<std::chrono::milliseconds> /*patience*/) override {
-    formal::Run run = formal::run(c);
+    spec_engine::Run run = spec_engine::run(c);
     if (!run.not_said.empty()) return {NotApplicable{run.not_said}, {}, {}};
     return {std::move(run.events), {}, {}};
   }

@@ -90,8 +90,8 @@ class Subject {
   [[nodiscard]] virtual std::string hello() const { return {}; }
 };
 
-// The formal specification in this process (formal/engine.h). Its events are exact and are compared exactly
-// (exactly.h). Requires formal::available(), and always the same thread. InputError passes through.
+// The formal specification in this process (spec_engine/engine.h). Its events are exact and are compared exactly
+// (exactly.h). Requires spec_engine::available(), and always the same thread. InputError passes through.
 std::unique_ptr<Subject> formal_specification();
 
 // The fast engine in this process: every section and field, in double. InputError of the engine passes through.

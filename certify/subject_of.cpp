@@ -4,8 +4,8 @@
 
 #include "certify/controller.h"
 #include "certify/finding.h"
-#include "formal/engine.h"
 #include "spec/language/input_error.h"
+#include "spec_engine/engine.h"
 
 namespace toolcomp::certify {
 
@@ -19,7 +19,7 @@ Finding signed_finding(Finding finding, const std::string& controller, std::uint
 
 std::string command_in(const std::string& directory, const std::string& command) {
   if (directory.empty() || command.empty()) return command;
-  return "cd " + shell_quoted(directory) + " && {\n" + command + "\n}";
+  return "cd " + host::shell_quoted(directory) + " && {\n" + command + "\n}";
 }
 
 std::unique_ptr<Subject> subject_of(const std::string& controller, std::chrono::milliseconds timeout,
@@ -34,7 +34,7 @@ std::unique_ptr<Subject> subject_of(const std::string& controller, std::chrono::
 
 std::unique_ptr<Subject> subject_of_finding(const std::string& controller, std::chrono::milliseconds timeout) {
   if (controller != kFormalSpecification) return subject_of(controller, timeout);
-  if (!formal::available())
+  if (!spec_engine::available())
     throw spec::InputError(controller, 0, 0, "this toolcomp was built without the formal specification");
   return formal_specification();
 }

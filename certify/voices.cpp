@@ -9,7 +9,7 @@
 
 #include "certify/exactly.h"
 #include "certify/judge.h"
-#include "formal/engine.h"
+#include "spec_engine/engine.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -18,8 +18,8 @@ Voices not_known(std::string why) { return {Alone::not_known, "not known who sta
 
 // The specification in the place of the model. What the oracle reads off clauses it reads off those of the model's
 // events; the other outcomes of near ties are not tried.
-fuzz::ModelRun as_model(const fuzz::ModelRun& run, std::vector<model::Event> said) {
-  fuzz::ModelRun other;
+judge::ModelRun as_model(const judge::ModelRun& run, std::vector<model::Event> said) {
+  judge::ModelRun other;
   other.beyond = run.beyond;
   other.events = std::move(said);
   for (std::size_t i = 0; i < std::min(other.events.size(), run.events.size()); ++i)
@@ -41,8 +41,8 @@ Voices heard(bool model, bool specification, bool both, std::string_view name) {
 }
 
 Voices asked(const spec::Case& c, Subject& other, std::string_view name) {
-  const fuzz::ModelRun run = fuzz::run_model(c);
-  formal::Run said = formal::run(c);
+  const judge::ModelRun run = judge::run_model(c);
+  spec_engine::Run said = spec_engine::run(c);
   if (!said.not_said.empty()) return not_known(said.not_said);
   const Exactly held = hold_exactly(c.setup.axes, run.events, said.events);
   if (!held.undecided.empty()) return not_known(held.undecided);
@@ -52,7 +52,7 @@ Voices asked(const spec::Case& c, Subject& other, std::string_view name) {
   const Answer answer = other.run(c);
   // Whether it agrees with one of the two; a broken law is no matter between them.
   std::string open;
-  const auto agrees = [&](const fuzz::ModelRun& with) {
+  const auto agrees = [&](const judge::ModelRun& with) {
     const Judgement judgement = judge_answer(*able, c, with, answer);
     if (judgement.result == Result::differs) return judgement.difference->kind == "law";
     if (judgement.result != Result::agrees && judgement.result != Result::partly_judged &&
@@ -70,7 +70,7 @@ Voices asked(const spec::Case& c, Subject& other, std::string_view name) {
 }  // namespace
 
 Voices ask_all(const spec::Case& c, Subject& other, std::string_view name) {
-  if (!formal::available()) return not_known("this toolcomp was built without the formal specification");
+  if (!spec_engine::available()) return not_known("this toolcomp was built without the formal specification");
   try {
     return asked(c, other, name);
   } catch (const std::exception& error) {

@@ -29,15 +29,15 @@ Size size_of_terminal() {
 
 }  // namespace
 
-Board::Board() : terminal_(can_redraw()), next_(certify::Clock::now() + kPlain) {}
+Board::Board() : terminal_(can_redraw()), next_(host::Clock::now() + kPlain) {}
 
 Board::~Board() { close(); }
 
 void Board::show(const certify::fuzzing::BoardView& view) {
   if (is_quiet()) return;
   if (!terminal_) {
-    if (certify::Clock::now() < next_) return;
-    next_ = certify::Clock::now() + kPlain;
+    if (host::Clock::now() < next_) return;
+    next_ = host::Clock::now() + kPlain;
     std::cerr << certify::fuzzing::plain_line(view) << std::endl;
     return;
   }

@@ -29,7 +29,7 @@ class Board {
 
   bool terminal_;
   std::size_t drawn_ = 0;  // lines
-  certify::Clock::time_point next_;
+  host::Clock::time_point next_;
 };
 
 }  // namespace toolcomp::cli

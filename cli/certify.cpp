@@ -14,9 +14,7 @@
 #include "certify/adapter.h"
 #include "certify/adapter_programs.h"
 #include "certify/badge.h"
-#include "certify/campaign.h"
-#include "certify/date.h"
-#include "certify/process.h"
+#include "certify/certification.h"
 #include "certify/report.h"
 #include "certify/running_report.h"
 #include "certify/trace/trace.h"
@@ -29,9 +27,11 @@
 #include "cli/stop.h"
 #include "cli/verbs.h"
 #include "corpus/golden.h"
+#include "host/date.h"
+#include "host/file_writer.h"
+#include "host/process.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/case_format.h"
-#include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
 #include "spec/language/known.h"
 #include "spec/language/printable.h"
@@ -109,7 +109,7 @@ constexpr std::string_view kFastEngine = "fast";  // in this process
 std::string command_of(const std::string& controller) {
   if (controller == kFastEngine) return {};
   if (controller != kSpecification) return controller;
-  return certify::shell_quoted(fs::read_symlink("/proc/self/exe").string()) + " serve --engine spec";
+  return host::shell_quoted(fs::read_symlink("/proc/self/exe").string()) + " serve --engine spec";
 }
 
 bool is_ours(const std::string& controller) { return controller == kSpecification || controller == kFastEngine; }
@@ -158,7 +158,7 @@ void begin_badge(const CertifyOptions& options) {
 }
 
 certify::Occasion occasion_of(const CertifyOptions& options) {
-  return {certify::date_of_now(), options.operated, options.serial, options.arguments};
+  return {host::date_of_now(), options.operated, options.serial, options.arguments};
 }
 
 int certify_trace(const CertifyOptions& options) {
@@ -264,7 +264,7 @@ void print_widths(const certify::Certificate& certificate) {
   constexpr double median = 0.5;
   constexpr double most = 0.99;
   for (const certify::SectionResult& section : certificate.sections) {
-    const fuzz::Widths& widths = section.widths;
+    const judge::Widths& widths = section.widths;
     fmt::print("{:<32} {:>8} {:>10.2g} {:>10.2g} {:>10.2g} {:>7.3f} % {:>7.3f} %\n", shown(section.section),
                widths.count(), widths.quantile(median), widths.quantile(most), widths.largest(),
                100 * widths.share_above_nm(), 100 * widths.share_above_um());
@@ -293,8 +293,8 @@ int certify(const CertifyOptions& options) {
     refuse_evidence(options, "the fast engine in this process gives no answers to keep");
   Evidence evidence(options);
 
-  certify::CampaignOptions campaign;
-  campaign.controller = command_of(options.controller);
+  certify::CertificationOptions certification;
+  certification.controller = command_of(options.controller);
   if (adapter) {
     certify::expect_programs(*adapter);
     if (adapter->kind == certify::AdapterKind::trace) {
@@ -303,59 +303,60 @@ int certify(const CertifyOptions& options) {
       begin_badge(options);
       return certify_adapter(options, *adapter, read_inputs(options), tolerances_of(options), occasion_of(options));
     }
-    campaign.controller = adapter->shell_command();
+    certification.controller = adapter->shell_command();
   }
-  campaign.sections = options.sections;
-  campaign.seed = options.seed;
-  campaign.accepted_resolution = options.accept_resolution;
-  campaign.known = known_of(options);
-  campaign.settling.budget = options.settle == "0" ? std::chrono::seconds(0) : duration_of(options.settle, "--settle");
-  campaign.timeout = std::chrono::milliseconds(std::llround(options.timeout * 1000));
-  for (spec::Case& c : read_inputs(options)) campaign.cases.push_back({std::move(c), certify::Origin::own});
+  certification.sections = options.sections;
+  certification.seed = options.seed;
+  certification.accepted_resolution = options.accept_resolution;
+  certification.known = known_of(options);
+  certification.settling.budget =
+      options.settle == "0" ? std::chrono::seconds(0) : duration_of(options.settle, "--settle");
+  certification.timeout = std::chrono::milliseconds(std::llround(options.timeout * 1000));
+  for (spec::Case& c : read_inputs(options)) certification.cases.push_back({std::move(c), certify::Origin::own});
   if (adapter && options.inputs.empty())
-    for (certify::CaseInput& input : machine_cases(*adapter, options)) campaign.cases.push_back(std::move(input));
+    for (certify::CaseInput& input : machine_cases(*adapter, options)) certification.cases.push_back(std::move(input));
   // Cases named are judged alone, unless the corpus or generated cases are asked for too.
   const bool alone = !options.inputs.empty();
-  campaign.generated = options.cases.value_or(alone ? 0 : campaign.generated);
+  certification.generated = options.cases.value_or(alone ? 0 : certification.generated);
   fs::path golden;
   if (!alone || !options.corpus.empty()) {
     const fs::path folder = options.corpus.empty() ? corpus::default_folder() : fs::path(options.corpus);
     for (spec::Case& c : corpus::read_golden(folder, options.sections)) {
       c.has_expect = false;  // the model says it again
       c.expect = {};
-      campaign.cases.push_back({std::move(c), certify::Origin::golden});
+      certification.cases.push_back({std::move(c), certify::Origin::golden});
     }
     const corpus::Manifest manifest = corpus::read_manifest(folder);
-    campaign.corpus = manifest.version;
-    campaign.corpus_hash = manifest.hash;
+    certification.corpus = manifest.version;
+    certification.corpus_hash = manifest.hash;
     golden = folder;
   }
-  detail("controller: " + campaign.controller);
-  detail(fmt::format("{} cases read, {} generated in each section, seed {}", campaign.cases.size(), campaign.generated,
-                     campaign.seed));
-  if (!golden.empty()) detail(fmt::format("corpus {} of {}", campaign.corpus, golden.string()));
-  evidence.begin(campaign, adapter ? adapter->name : "", golden);
+  detail("controller: " + certification.controller);
+  detail(fmt::format("{} cases read, {} generated in each section, seed {}", certification.cases.size(),
+                     certification.generated, certification.seed));
+  if (!golden.empty()) detail(fmt::format("corpus {} of {}", certification.corpus, golden.string()));
+  evidence.begin(certification, adapter ? adapter->name : "", golden);
   begin_badge(options);
   const auto start = std::chrono::steady_clock::now();
   const auto elapsed = [start] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  certify::RunningReport running(options.report, campaign.controller);
+  certify::RunningReport running(options.report, certification.controller);
   if (!running.earlier().empty()) note(options.report + ": " + running.earlier());
   const Stop stop(options.time_limit.empty() ? std::nullopt
                                              : std::optional(duration_of(options.time_limit, "--time-limit")));
-  campaign.stop = [&stop] { return stop.why(); };
-  campaign.found = [&running](const certify::Finding& finding) { running.found(finding); };
+  certification.stop = [&stop] { return stop.why(); };
+  certification.found = [&running](const certify::Finding& finding) { running.found(finding); };
   const Progress progress("cases");
-  campaign.progress = [&running, elapsed](std::uint64_t done, std::uint64_t all) {
+  certification.progress = [&running, elapsed](std::uint64_t done, std::uint64_t all) {
     running.progress(done, all);
     Progress::line(fmt::format("{} of {} cases, {:.0f} s", done, all, elapsed()));
   };
-  campaign.choosing = [elapsed](const std::string& section, std::uint64_t looked_at) {
+  certification.choosing = [elapsed](const std::string& section, std::uint64_t looked_at) {
     Progress::line(fmt::format("{}: cases chosen out of {}, {:.0f} s", section, looked_at, elapsed()));
   };
   std::size_t begun = 0;
-  campaign.settling.told = [&](const certify::SettlingGroup& group) {
+  certification.settling.told = [&](const certify::SettlingGroup& group) {
     const std::string line = fmt::format("group {} of {}: {}", group.number, group.groups, group.cause.words);
     if (can_redraw())
       Progress::line(fmt::format("{:.0f} s, settling {}", elapsed(), line));
@@ -363,7 +364,7 @@ int certify(const CertifyOptions& options) {
       note(fmt::format("settling, at most {} for all groups: {}", options.settle, line));
     begun = group.number;
   };
-  certify::Certificate certificate = certify::certify(campaign);
+  certify::Certificate certificate = certify::certify(certification);
   certificate.occasion = occasion_of(options);
   if (adapter)
     for (const auto& [id, cases] : certify::known_differences(certificate))

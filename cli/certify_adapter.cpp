@@ -17,8 +17,8 @@
 #include "certify/running_mark.h"
 #include "cli/progress.h"
 #include "cli/stop.h"
+#include "host/file_writer.h"
 #include "spec/language/decimal.h"
-#include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
 #include "spec/language/parameter.h"
 
@@ -40,7 +40,7 @@ std::pair<spec::ParameterId, spec::Decimal> read_altered(const std::string& text
   return {id, *value};
 }
 
-void print(const certify::AdapterCampaign& campaign, const certify::AdapterCertificate& certificate) {
+void print(const certify::AdapterCertificationOptions& certification, const certify::AdapterCertificate& certificate) {
   for (const certify::MachineSummary& machine : certify::summaries(certificate)) {
     fmt::print("{:<12} {:>4} programs", machine.machine.empty() ? "programs" : machine.machine, machine.programs);
     for (std::size_t i = 0; i < machine.outcomes.size(); ++i)
@@ -56,17 +56,17 @@ void print(const certify::AdapterCampaign& campaign, const certify::AdapterCerti
   }
   for (const certify::LikelyCause& likely : certify::likely_causes(certificate))
     fmt::print("likely cause, in {} of the programs that differ: {}\n", likely.programs, likely.cause);
-  if (!certificate.errors.empty()) std::cerr << campaign.adapter.name << ": " << certificate.errors << '\n';
+  if (!certificate.errors.empty()) std::cerr << certification.adapter.name << ": " << certificate.errors << '\n';
   if (!certificate.interrupted.empty())
     fmt::print("{} programs not run: {}\n", certify::not_run(certificate), certificate.interrupted);
-  fmt::print("{}; seed {}; {:.0f} s run, {:.0f} s judged; {}\n", certify::verdict(certificate), campaign.seed,
-             certificate.seconds_run, certificate.seconds_judged, campaign.report + "/index.html");
+  fmt::print("{}; seed {}; {:.0f} s run, {:.0f} s judged; {}\n", certify::verdict(certificate), certification.seed,
+             certificate.seconds_run, certificate.seconds_judged, certification.report + "/index.html");
 }
 
 }  // namespace
 
 void write_badge(const CertifyOptions& options, const std::string& badge) {
-  if (!options.badge.empty()) spec::write_file(options.badge, badge);
+  if (!options.badge.empty()) host::write_file(options.badge, badge);
 }
 
 int certify_adapter(const CertifyOptions& options, const certify::Adapter& adapter, std::vector<spec::Case> cases,
@@ -74,21 +74,21 @@ int certify_adapter(const CertifyOptions& options, const certify::Adapter& adapt
   if (!options.corpus.empty() || !options.sections.empty() || options.widths)
     throw spec::InputError("toolcomp certify", 0, 0,
                            "--corpus, --section and --widths are not for a recorded controller");
-  certify::AdapterCampaign campaign;
-  campaign.adapter = adapter;
-  campaign.show_known = options.inputs.empty() && options.setup.empty();
-  campaign.generated = options.cases.value_or(cases.empty() ? kPrograms : 0);
-  if (options.inputs.empty() && !options.setup.empty()) campaign.adapter.setups = {options.setup};
-  campaign.cases = std::move(cases);
-  campaign.seed = options.seed;
-  campaign.tolerance = tolerances.linear;
-  campaign.rotary_tolerance = tolerances.rotary;
-  campaign.timeout = std::chrono::milliseconds(std::llround(options.timeout * 1000));
-  campaign.report = options.report;
-  for (const std::string& text : options.altered) campaign.altered.insert(read_altered(text));
-  campaign.progress = [](const std::string& line) { note(line); };
+  certify::AdapterCertificationOptions certification;
+  certification.adapter = adapter;
+  certification.show_known = options.inputs.empty() && options.setup.empty();
+  certification.generated = options.cases.value_or(cases.empty() ? kPrograms : 0);
+  if (options.inputs.empty() && !options.setup.empty()) certification.adapter.setups = {options.setup};
+  certification.cases = std::move(cases);
+  certification.seed = options.seed;
+  certification.tolerance = tolerances.linear;
+  certification.rotary_tolerance = tolerances.rotary;
+  certification.timeout = std::chrono::milliseconds(std::llround(options.timeout * 1000));
+  certification.report = options.report;
+  for (const std::string& text : options.altered) certification.altered.insert(read_altered(text));
+  certification.progress = [](const std::string& line) { note(line); };
   detail(fmt::format("adapter {} of {}; {} programs read, {} generated, seed {}", adapter.name, adapter.folder.string(),
-                     campaign.cases.size(), campaign.generated, campaign.seed));
+                     certification.cases.size(), certification.generated, certification.seed));
   certify::RunningMark mark(options.report, adapter.name);
   if (mark.earlier()) {
     const auto aside = certify::set_aside(std::filesystem::path(options.report) / "runs");
@@ -97,12 +97,12 @@ int certify_adapter(const CertifyOptions& options, const certify::Adapter& adapt
   }
   const Stop stop(options.time_limit.empty() ? std::nullopt
                                              : std::optional(duration_of(options.time_limit, "--time-limit")));
-  campaign.stop = [&stop] { return stop.why(); };
-  certify::AdapterCertificate certificate = certify::certify_adapter(campaign);
+  certification.stop = [&stop] { return stop.why(); };
+  certify::AdapterCertificate certificate = certify::certify_adapter(certification);
   certificate.occasion = occasion;
-  certify::write_report(campaign, certificate);
+  certify::write_report(certification, certificate);
   write_badge(options, certify::badge_json(certificate));
-  print(campaign, certificate);
+  print(certification, certificate);
   return certify::exit_status(certificate);
 }
 

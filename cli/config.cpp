@@ -8,9 +8,9 @@
 #include "cli/manners.h"
 #include "cli/program.h"
 #include "cli/verbs.h"
+#include "host/data_folder.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/case_format.h"
-#include "spec/language/data_folder.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
 
@@ -20,7 +20,7 @@ namespace {
 // Where the schema of setups lies, for editors that read TOML by schemas.
 std::optional<std::filesystem::path> schema_file() {
   for (const char* const folder : {"", "corpus/schema"}) {
-    std::filesystem::path file = spec::data_folder() / folder / "setup.schema.json";
+    std::filesystem::path file = host::data_folder() / folder / "setup.schema.json";
     if (std::filesystem::is_regular_file(file)) return file;
   }
   return std::nullopt;

@@ -21,7 +21,7 @@ class Watched {
   Watched(std::shared_ptr<certify::Subject> subject, certify::Capabilities able, Watch watch)
       : subject_(std::move(subject)), able_(std::move(able)), watch_(std::move(watch)) {}
 
-  fuzz::Verdict judge(const spec::Case& c, const fuzz::ModelRun& run) {
+  judge::Verdict judge(const spec::Case& c, const judge::ModelRun& run) {
     certify::Answer answer;
     certify::Judgement judgement;
     if (std::string why = certify::why_not_applicable(able_, c); !why.empty()) {
@@ -34,7 +34,7 @@ class Watched {
     if (judgement.result == certify::Result::differs && watch_)
       watch_(able_, {c, judgement, certify::events_in_double(answer), asked_.before()});
     if (judgement.difference) judgement.verdict.difference = judgement.difference;
-    if (judgement.result == certify::Result::differs) judgement.verdict.outcome = fuzz::Outcome::differs;
+    if (judgement.result == certify::Result::differs) judgement.verdict.outcome = judge::Outcome::differs;
     return judgement.verdict;
   }
 
@@ -47,8 +47,8 @@ class Watched {
 
 }  // namespace
 
-fuzz::Subject controller_subject(const std::string& command, double timeout,
-                                 const std::optional<std::string>& accepted_resolution, Watch watch) {
+judge::CaseJudge judge_of_controller(const std::string& command, double timeout,
+                                     const std::optional<std::string>& accepted_resolution, Watch watch) {
   const std::shared_ptr<certify::Subject> subject =
       certify::subject_of(command, std::chrono::milliseconds(std::llround(timeout * 1000)));
   const auto capabilities = subject->capabilities();
@@ -57,7 +57,7 @@ fuzz::Subject controller_subject(const std::string& command, double timeout,
   const auto& able = std::get<certify::Capabilities>(capabilities);
   if (accepted_resolution) certify::expect_fine_resolution(able, *accepted_resolution);
   const auto watched = std::make_shared<Watched>(subject, able, std::move(watch));
-  return [watched](const spec::Case& c, const fuzz::ModelRun& run) { return watched->judge(c, run); };
+  return [watched](const spec::Case& c, const judge::ModelRun& run) { return watched->judge(c, run); };
 }
 
 }  // namespace toolcomp::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A controller as the subject of a campaign.
+// Judges the answers of a controller.
 #pragma once
 
 #include <functional>
@@ -7,7 +7,7 @@
 #include <string>
 
 #include "certify/evidence.h"
-#include "fuzz/oracle/trial.h"
+#include "judge/oracle/trial.h"
 
 namespace toolcomp::cli {
 
@@ -16,7 +16,7 @@ using Watch = std::function<void(const certify::Capabilities&, const certify::Wi
 
 // Judges what the command answers; `timeout` in seconds. Throws spec::InputError if it cannot be used, or announces a
 // resolution coarser than what is certified and than `accepted_resolution`, which is looked at if it is there.
-fuzz::Subject controller_subject(const std::string& command, double timeout,
-                                 const std::optional<std::string>& accepted_resolution = {}, Watch watch = {});
+judge::CaseJudge judge_of_controller(const std::string& command, double timeout,
+                                     const std::optional<std::string>& accepted_resolution = {}, Watch watch = {});
 
 }  // namespace toolcomp::cli

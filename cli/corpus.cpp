@@ -21,7 +21,7 @@
 #include "corpus/proofs/proofs.h"
 #include "corpus/shard.h"
 #include "corpus/vector.h"
-#include "spec/language/file_writer.h"
+#include "host/file_writer.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::cli {
@@ -82,8 +82,8 @@ std::string write_program(const LongProgramOptions& options, const std::string& 
   if (fs::is_directory(program)) throw spec::InputError(options.out, 0, 0, "is a folder");
   if (setup == program)
     throw spec::InputError(options.out, 0, 0, "must not end in .toml, which is the name of the setup next to it");
-  spec::write_file(setup, setup_text);
-  spec::write_file(program, text);
+  host::write_file(setup, setup_text);
+  host::write_file(program, text);
   return setup.string();
 }
 
@@ -104,7 +104,7 @@ int corpus_check(const CorpusOptions& options) {
   corpus::CheckOptions how;
   how.folder = folder_of(options);
   how.selection = selection_of(options);
-  if (!options.controller.empty()) how.subject = controller_subject(options.controller, 10);
+  if (!options.controller.empty()) how.judged_by = judge_of_controller(options.controller, 10);
   const Progress progress("vectors");
   how.progress = [](std::uint64_t done, std::uint64_t) { Progress::count(done); };
   const corpus::CheckResult result = corpus::check(how);

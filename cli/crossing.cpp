@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/crossing.h"
 
-#include "fuzz/oracle/control.h"
-#include "fuzz/oracle/number.h"
+#include "judge/oracle/control.h"
+#include "judge/oracle/number.h"
 #include "model/basis/recorder.h"
 #include "spec/language/input_error.h"
 
@@ -20,14 +20,14 @@ std::optional<double> crossing(const model::Event& alarm) {
   if (alarm.kind != spec::EventKind::alarm || alarm.alarm != spec::AlarmCause::interference ||
       alarm.value.sign() != exact::Sign::positive)
     return std::nullopt;
-  return fuzz::approximate(alarm.value);
+  return judge::approximate(alarm.value);
 }
 
 std::optional<double> crossing(const Program& program) {
-  const fuzz::StreamedProgram text = program.text();
+  const judge::StreamedProgram text = program.text();
   if (text.once) return std::nullopt;
   Last last;
-  fuzz::with_control(program.setup(), [&]<class Control>(Control) {
+  judge::with_control(program.setup(), [&]<class Control>(Control) {
     model::Recorder recorder;
     auto model = Control::model(program.setup(), recorder, last, 0);
     auto reader = Control::reader(text.open(), program.setup(), text.name, text.called_program);

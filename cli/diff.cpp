@@ -13,13 +13,13 @@
 #include "cli/progress.h"
 #include "cli/unjudged.h"
 #include "cli/verbs.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 #include "spec/language/known.h"
 #include "spec/language/printable.h"
 
 namespace toolcomp::cli {
 
-void print_difference(const fuzz::Difference& difference, const Place& place) {
+void print_difference(const judge::Difference& difference, const Place& place) {
   const auto paint = [](Paint color, const std::string& text) { return painted(color, text, Stream::out); };
   fmt::print("{} {}{}{}\n",
              paint(Paint::place, fmt::format("{}:{}:", spec::printable(spec::display_name(place.file)), place.line)),
@@ -37,7 +37,7 @@ void print_difference(const fuzz::Difference& difference, const Place& place) {
 namespace {
 
 // What the verdict does not reach is said; the exit status where the rest agrees.
-int say_unjudged(const Program& program, const fuzz::Verdict& verdict) {
+int say_unjudged(const Program& program, const judge::Verdict& verdict) {
   Unjudged unjudged(program);
   unjudged.open(verdict.open.line, 1, verdict.open.out_of_scope, verdict.open.count);
   if (verdict.beyond) unjudged.ends(verdict.beyond->line, verdict.beyond->column, verdict.beyond->what);
@@ -80,14 +80,14 @@ int diff(const DiffOptions& options) {
                    verdict.worst_um));
   const int unjudged = say_unjudged(program, verdict);
   switch (verdict.outcome) {
-    case fuzz::Outcome::agrees:
+    case judge::Outcome::agrees:
       return unjudged;
-    case fuzz::Outcome::differs:
+    case judge::Outcome::differs:
       return kDiffers;
-    case fuzz::Outcome::undecided:
+    case judge::Outcome::undecided:
       std::cerr << "could not decide\n";
       return kUndecided;
-    case fuzz::Outcome::nothing_judged:
+    case judge::Outcome::nothing_judged:
       std::cerr << "nothing to judge\n";
       return kUndecided;
   }

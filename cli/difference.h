@@ -3,11 +3,11 @@
 #pragma once
 
 #include "certify/input/called_files.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 
 namespace toolcomp::cli {
 
 // What differs at a place, the two values, and the clause in words, on standard output.
-void print_difference(const fuzz::Difference& difference, const certify::input::Place& place);
+void print_difference(const judge::Difference& difference, const certify::input::Place& place);
 
 }  // namespace toolcomp::cli

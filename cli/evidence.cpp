@@ -31,11 +31,11 @@ Evidence::Evidence(const CertifyOptions& options) : options_(options) {
   if (!options.sign.empty()) certify::bundle::expect_key(options.sign);
 }
 
-void Evidence::begin(certify::CampaignOptions& campaign, const std::string& adapter, const fs::path& corpus) {
+void Evidence::begin(certify::CertificationOptions& certification, const std::string& adapter, const fs::path& corpus) {
   if (options_.evidence.empty()) return;
-  writer_.emplace(options_.evidence, certify::bundle::Request{options_.words, campaign.sections, adapter, corpus});
+  writer_.emplace(options_.evidence, certify::bundle::Request{options_.words, certification.sections, adapter, corpus});
   add_inputs();
-  campaign.judged = [this](const certify::JudgedCase& judged) { writer_->add(judged); };
+  certification.judged = [this](const certify::JudgedCase& judged) { writer_->add(judged); };
 }
 
 // Programs and cases, and the setups of programs.

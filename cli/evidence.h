@@ -6,7 +6,7 @@
 #include <string>
 
 #include "certify/bundle/bundle_writer.h"
-#include "certify/campaign.h"
+#include "certify/certification.h"
 #include "cli/verbs.h"
 
 namespace toolcomp::cli {
@@ -18,7 +18,8 @@ class Evidence {
   explicit Evidence(const CertifyOptions& options);
 
   // `adapter`: its name; `corpus`: the folder of the golden corpus that is judged, or empty.
-  void begin(certify::CampaignOptions& campaign, const std::string& adapter, const std::filesystem::path& corpus);
+  void begin(certify::CertificationOptions& certification, const std::string& adapter,
+             const std::filesystem::path& corpus);
   // Writes the bundle, and signs it. Throws spec::InputError where it cannot be signed.
   void finish(const certify::Certificate& certificate, const std::vector<std::filesystem::path>& findings);
 

@@ -15,14 +15,14 @@
 #include "certify/fuzzing/merge.h"
 #include "certify/fuzzing/regression.h"
 #include "certify/fuzzing/summary.h"
-#include "certify/temporary_folder.h"
 #include "cli/board.h"
 #include "cli/controller.h"
 #include "cli/manners.h"
 #include "cli/program.h"
 #include "cli/stop.h"
 #include "cli/verbs.h"
-#include "spec/language/data_folder.h"
+#include "host/data_folder.h"
+#include "host/temporary_folder.h"
 #include "spec/language/input_error.h"
 #include "spec/language/suggestion.h"
 
@@ -50,7 +50,7 @@ fuzzing::Bench bench_of(const FuzzOptions& options) {
   fuzzing::Bench bench;
   bench.program = fs::read_symlink("/proc/self/exe");
   if (!options.built_in) bench.targets = bench.program.parent_path().parent_path() / "fuzz";
-  bench.inputs.push_back(spec::data_folder() / "corpus/seeds");
+  bench.inputs.push_back(host::data_folder() / "corpus/seeds");
   bench.controller = options.controller;
   bench.timeout = options.timeout;
   return bench;
@@ -120,8 +120,8 @@ int fuzz(const FuzzOptions& options) {
   campaign.specification = !options.no_specification && options.controller.empty();
   // Whether it can be used is known before hours of work.
   if (!options.controller.empty())
-    static_cast<void>(controller_subject(options.controller, options.timeout, options.accept_resolution));
-  std::optional<certify::TemporaryFolder> temporary;
+    static_cast<void>(judge_of_controller(options.controller, options.timeout, options.accept_resolution));
+  std::optional<host::TemporaryFolder> temporary;
   if (campaign.temporary) temporary.emplace();
   campaign.folder = temporary ? temporary->path() : fs::path(options.campaign);
   campaign.bench.inputs.push_back(campaign.folder / "regression");
@@ -136,7 +136,7 @@ int fuzz(const FuzzOptions& options) {
   campaign.show = [&board](const fuzzing::BoardView& view) { board.show(view); };
   campaign.say = [&board](const std::string& line) { board.say(line); };
   try {
-    fuzzing::write_regression_inputs(spec::data_folder() / "corpus/regression", campaign.folder / "regression");
+    fuzzing::write_regression_inputs(host::data_folder() / "corpus/regression", campaign.folder / "regression");
     fuzzing::CampaignEnd end = fuzzing::run_campaign(campaign);
     board.close();
     // What nobody has looked at would be lost with its folder.

@@ -16,14 +16,14 @@
 #include "certify/fuzzing/third_voice.h"
 #include "cli/controller.h"
 #include "cli/verbs.h"
-#include "formal/engine.h"
 #include "fuzz/campaign/diary.h"
 #include "fuzz/campaign/driver.h"
 #include "fuzz/campaign/target.h"
 #include "fuzz/gen/encode.h"
+#include "host/file_writer.h"
 #include "spec/language/byte_source.h"
-#include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
+#include "spec_engine/engine.h"
 
 namespace toolcomp::cli {
 namespace {
@@ -91,15 +91,15 @@ class BuiltIn {
     driver.on_corpus = [this](const spec::Case& c) { keep(fuzz::encode(c)); };
     driver.on_open = [this](const spec::Case& c, const std::string& why) { note(c, fuzz::not_decided(why)); };
     if (options_.controller.empty())
-      driver.on_finding = [this](const spec::Case& c, const fuzz::Difference& difference) { note(c, difference); };
+      driver.on_finding = [this](const spec::Case& c, const judge::Difference& difference) { note(c, difference); };
     else
-      driver.subject = controller_subject(
+      driver.judged_by = judge_of_controller(
           options_.controller, options_.timeout, {},
           [this](const certify::Capabilities& able, const certify::Witness& seen) { note(able, seen); });
     return driver;
   }
 
-  void note(const spec::Case& c, const fuzz::Difference& difference) {
+  void note(const spec::Case& c, const judge::Difference& difference) {
     diary_.hit(
         fuzz::group_of(c.section, difference), driver_.result().executions,
         [&](const fuzz::HowFound& how) { return fuzz::seen_text(c, difference, how); }, ".json");
@@ -123,7 +123,7 @@ class BuiltIn {
 
   void keep(const std::string& input) {
     try {
-      spec::write_file(fs::path(options_.corpus) / fuzz::digest(input), input);
+      host::write_file(fs::path(options_.corpus) / fuzz::digest(input), input);
     } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch)
       // Where the disk is full the diary cannot be written either, and that ends this worker.
     }
@@ -152,7 +152,7 @@ int fuzz_worker(const WorkerOptions& options) {
 }
 
 int fuzz_specification(const SpecificationWorkerOptions& options) {
-  if (!formal::available())
+  if (!spec_engine::available())
     throw spec::InputError("toolcomp fuzz-specification", 0, 0, "built without the formal specification");
   fuzzing::ThirdVoiceOptions voice;
   voice.work = options.work;

@@ -19,8 +19,8 @@
 #include "cli/progress.h"
 #include "cli/verbs.h"
 #include "corpus/golden.h"
+#include "host/file_writer.h"
 #include "spec/language/decimal.h"
-#include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
 #include "spec/language/suggestion.h"
 
@@ -42,9 +42,9 @@ kit::Machine read_machine(const KitOptions& options) {
 
 // All files or none: what stands in the folder beside them would be taken for the kit's.
 void write_all(const kit::Kit& made, const fs::path& folder) {
-  std::vector<spec::FileText> files{{folder / kit::kKitFile, kit::write_kit(made)}};
+  std::vector<host::FileText> files{{folder / kit::kKitFile, kit::write_kit(made)}};
   for (const auto& [name, text] : made.files) files.emplace_back(folder / name, text);
-  spec::write_files(files);
+  host::write_files(files);
 }
 
 std::optional<spec::Decimal> tolerance_of(const std::string& text) {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cli/help.h"
-#include "spec/language/file_writer.h"
+#include "host/file_writer.h"
 
 namespace toolcomp::cli {
 namespace {
@@ -80,9 +80,9 @@ std::string page(const CLI::App& app, const std::string& name, const std::string
 
 void write_manual(const CLI::App& program, const std::string& date, const std::string& folder) {
   const std::filesystem::path place(folder);
-  spec::write_file(place / "toolcomp.1", page(program, "toolcomp", date));
+  host::write_file(place / "toolcomp.1", page(program, "toolcomp", date));
   for (const CLI::App* verb : listed_verbs(program))
-    spec::write_file(place / ("toolcomp-" + verb->get_name() + ".1"),
+    host::write_file(place / ("toolcomp-" + verb->get_name() + ".1"),
                      page(*verb, "toolcomp " + verb->get_name(), date));
 }
 

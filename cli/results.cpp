@@ -10,7 +10,7 @@
 #include "cli/manners.h"
 #include "cli/program.h"
 #include "cli/verbs.h"
-#include "spec/language/file_writer.h"
+#include "host/file_writer.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::cli {
@@ -32,7 +32,7 @@ int results(const ResultsOptions& options) {
   }
   if (options.json) std::cout << certify::results::json(controllers);
   if (file.empty()) return kAgrees;
-  spec::write_file(file, certify::results::page(controllers));
+  host::write_file(file, certify::results::page(controllers));
   note("wrote " + file);
   return kAgrees;
 }

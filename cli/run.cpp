@@ -21,9 +21,8 @@
 #include "cli/word_at_fault.h"
 #include "fast/basis/event.h"
 #include "fast/basis/print.h"
-#include "formal/engine.h"
-#include "fuzz/oracle/control.h"
-#include "fuzz/oracle/number.h"
+#include "judge/oracle/control.h"
+#include "judge/oracle/number.h"
 #include "model/basis/event.h"
 #include "model/basis/number.h"
 #include "model/basis/print.h"
@@ -33,6 +32,7 @@
 #include "spec/language/json_text.h"
 #include "spec/language/printable.h"
 #include "spec/language/text_buffer.h"
+#include "spec_engine/engine.h"
 
 namespace toolcomp::cli {
 namespace {
@@ -57,7 +57,7 @@ struct ModelNumber {
 };
 
 double nearest(double value) { return value; }
-double nearest(const exact::Real& value) { return fuzz::approximate(value); }
+double nearest(const exact::Real& value) { return judge::approximate(value); }
 
 // Says on standard error what ends the run, and what is not judged, with its place.
 template <class Number>
@@ -227,7 +227,7 @@ class Printer final : public spec::EventSink<Number> {
 
 template <class Control, class Engine, class Sink>
 void feed(const Program& program, Engine& engine, Sink& sink) {
-  const fuzz::StreamedProgram text = program.text();
+  const judge::StreamedProgram text = program.text();
   auto reader = Control::reader(text.open(), program.setup(), text.name, text.called_program);
   typename Control::Block block;
   try {
@@ -249,7 +249,7 @@ void feed(const Program& program, Engine& engine, Sink& sink) {
 
 template <class Sink>
 void feed_model(const Program& program, model::Recorder& recorder, Sink& sink) {
-  fuzz::with_control(program.setup(), [&]<class Control>(Control) {
+  judge::with_control(program.setup(), [&]<class Control>(Control) {
     auto engine = Control::model(program.setup(), recorder, sink, program.samples());
     feed<Control>(program, engine, sink);
   });
@@ -257,7 +257,7 @@ void feed_model(const Program& program, model::Recorder& recorder, Sink& sink) {
 
 template <class Sink>
 void feed_fast(const Program& program, Sink& sink) {
-  fuzz::with_control(program.setup(), [&]<class Control>(Control) {
+  judge::with_control(program.setup(), [&]<class Control>(Control) {
     auto engine = Control::fast(program.setup(), sink, program.samples());
     feed<Control>(program, engine, sink);
   });
@@ -272,7 +272,7 @@ struct Specification {
   template <class Block>
   static void block(const Block& /*block*/) {}
   void end() {
-    const formal::Run run = formal::run(program.as_case());
+    const spec_engine::Run run = spec_engine::run(program.as_case());
     if (!run.not_said.empty()) throw spec::InputError("--engine", 0, 0, run.not_said);
     for (const spec::Event<exact::Real>& event : run.events) sink.on(event);
   }
@@ -280,9 +280,9 @@ struct Specification {
 
 template <class Sink>
 void feed_specification(const Program& program, Sink& sink) {
-  if (!formal::available())
+  if (!spec_engine::available())
     throw spec::InputError("--engine", 0, 0, "this toolcomp was built without the formal specification");
-  fuzz::with_control(program.setup(), [&]<class Control>(Control) {
+  judge::with_control(program.setup(), [&]<class Control>(Control) {
     Specification<Sink> engine{program, sink};
     feed<Control>(program, engine, sink);
   });

@@ -8,7 +8,7 @@
 
 #include "cli/manners.h"
 #include "cli/verbs.h"
-#include "formal/engine.h"
+#include "spec_engine/engine.h"
 
 namespace toolcomp::cli {
 
@@ -19,7 +19,7 @@ int serve(EngineName engine) {
         "line an answer.\n"
         "Try {\"hello\":1}, then {\"case\":1,\"id\":\"a\",\"setup\":{\"control\":\"fanuc\"},\"program\":\"G01 "
         "X1 F1\"}. Ctrl-D ends it.");
-  if (engine == EngineName::specification && !formal::available()) {
+  if (engine == EngineName::specification && !spec_engine::available()) {
     std::cerr << "this toolcomp was built without the formal specification: install coq, ocaml and ocaml-findlib, and "
                  "build it again\n";
     return kBadInput;

@@ -11,7 +11,7 @@
 #include "corpus/check.h"
 #include "corpus/golden.h"
 #include "corpus/proofs/proofs.h"
-#include "spec/trace/report.h"
+#include "spec/coverage/report.h"
 
 namespace toolcomp::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <csignal>
 #include <stdexcept>
 
-#include "certify/process.h"
+#include "host/process.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::cli {
@@ -42,7 +42,7 @@ void on_signal(int signal) {
   int none = 0;
   const bool first = stoppable && signalled.compare_exchange_strong(none, signal);
   // Controllers run in process groups of their own, which the terminal's interrupt does not reach.
-  certify::kill_processes();
+  host::kill_processes();
   if (first) return;
   static_cast<void>(std::signal(signal, SIG_DFL));
   static_cast<void>(std::raise(signal));

@@ -7,7 +7,7 @@
 #include <iostream>
 #include <memory>
 
-#include "fuzz/oracle/control.h"
+#include "judge/oracle/control.h"
 #include "spec/language/alarm.h"
 #include "spec/language/event_names.h"
 #include "spec/language/input_error.h"
@@ -27,10 +27,10 @@ bool ends_program(const spec::klartext::Block& block) {
 // Blocks after the first one that is not followed, up to the end of the program; nothing where the program cannot be
 // read again.
 std::optional<std::uint64_t> blocks_left(const Program& program) {
-  const fuzz::StreamedProgram text = program.text();
+  const judge::StreamedProgram text = program.text();
   if (text.once) return std::nullopt;
   std::uint64_t left = 0;
-  fuzz::with_control(program.setup(), [&]<class Control>(Control) {
+  judge::with_control(program.setup(), [&]<class Control>(Control) {
     auto reader = Control::reader(text.open(), program.setup(), text.name, text.called_program);
     const auto block = std::make_unique<typename Control::Block>();
     bool beyond = false;

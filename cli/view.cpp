@@ -19,8 +19,8 @@
 #include "cli/stop.h"
 #include "cli/verbs.h"
 #include "cli/watched_files.h"
+#include "host/file_writer.h"
 #include "spec/language/byte_source.h"
-#include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::cli {
@@ -42,7 +42,7 @@ int write(const ViewOptions& options) {
     std::cout << page.html;
   } else {
     try {
-      spec::write_file(file, page.html);
+      host::write_file(file, page.html);
     } catch (const std::runtime_error& error) {
       throw spec::InputError("--out", 0, 0, error.what());
     }

@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "spec/language/byte_source.h"
+#include "spec/language/fanuc/g_codes.h"
 #include "spec/language/fanuc/program_reader.h"
 #include "spec/language/printable.h"
 
@@ -127,8 +128,10 @@ std::string word_at_fault(std::string_view line, std::uint64_t column, spec::Con
 }
 
 std::optional<CodeAt> code_not_allowed(std::string_view line, const spec::Axes& axes) {
-  constexpr std::array<std::uint64_t, 23> kTenths{100, 280, 290, 300, 301, 370, 390, 410, 420, 450, 460, 470,
-                                                  480, 520, 530, 540, 541, 550, 560, 570, 580, 590, 920};
+  using enum spec::GCode;
+  constexpr std::array<std::uint64_t, 23> kTenths{kG10,   kG28, kG29, kG30, kG30_1, kG37, kG39, kG41,
+                                                  kG42,   kG45, kG46, kG47, kG48,   kG52, kG53, kG54,
+                                                  kG54_1, kG55, kG56, kG57, kG58,   kG59, kG92};
   spec::ProgramReader reader(spec::text_source(line), axes);
   spec::Block block;
   while (reader.next(block))

@@ -14,7 +14,7 @@ set(headers ${CMAKE_INSTALL_INCLUDEDIR}/toolcomp)
 install(TARGETS toolcomp RUNTIME)
 install(TARGETS toolcomp_c EXPORT c LIBRARY PUBLIC_HEADER)
 install(TARGETS ${engines} EXPORT engines ARCHIVE)
-install(DIRECTORY spec model fast DESTINATION ${headers} FILES_MATCHING PATTERN "*.h" PATTERN formal EXCLUDE PATTERN trace EXCLUDE)
+install(DIRECTORY spec model fast DESTINATION ${headers} FILES_MATCHING PATTERN "*.h" PATTERN formal EXCLUDE PATTERN coverage EXCLUDE)
 install(FILES ${PROJECT_BINARY_DIR}/generated/spec/clauses/clauses.h DESTINATION ${headers}/spec/clauses)
 install(FILES ${PROJECT_BINARY_DIR}/generated/spec/parameters/keys.h
   ${PROJECT_BINARY_DIR}/generated/spec/parameters/alarm_causes.h DESTINATION ${headers}/spec/parameters)
@@ -34,7 +34,7 @@ foreach(name toolcomp toolcomp-engines)
   install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endforeach()
 
-# What the command reads (spec/language/data_folder.h): controllers by name (docs/adapters.md), the golden corpus, hard
+# What the command reads (host/data_folder.h): controllers by name (docs/adapters.md), the golden corpus, hard
 # cases, and first inputs of a search. Schemas are installed with the files for editors (cli/manual.cmake).
 set(data ${CMAKE_INSTALL_DATADIR}/toolcomp)
 install(DIRECTORY adapters DESTINATION ${data} COMPONENT data USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE)

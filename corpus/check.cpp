@@ -7,19 +7,19 @@ namespace toolcomp::corpus {
 namespace {
 
 // What is wrong with a subject's answer to a vector; empty if nothing is. An undecided one is counted.
-std::string judged(const fuzz::Trial& trial, CheckResult& result) {
+std::string judged(const judge::Trial& trial, CheckResult& result) {
   switch (trial.verdict.outcome) {
-    case fuzz::Outcome::agrees:
+    case judge::Outcome::agrees:
       return {};
-    case fuzz::Outcome::undecided:
+    case judge::Outcome::undecided:
       ++result.undecided;
       return {};
-    case fuzz::Outcome::nothing_judged:
+    case judge::Outcome::nothing_judged:
       return "nothing could be judged";
-    case fuzz::Outcome::differs:
+    case judge::Outcome::differs:
       break;
   }
-  return trial.verdict.difference ? fuzz::explain(*trial.verdict.difference) : "differs";
+  return trial.verdict.difference ? judge::explain(*trial.verdict.difference) : "differs";
 }
 
 }  // namespace
@@ -28,11 +28,12 @@ CheckResult check(const CheckOptions& options) {
   CheckResult result;
   const std::vector<Vector> vectors = read_vectors(options.folder, options.selection);
   for (const Vector& vector : vectors) {
-    const fuzz::Trial trial = options.subject ? fuzz::try_case(vector.c, options.subject) : fuzz::try_case(vector.c);
+    const judge::Trial trial =
+        options.judged_by ? judge::try_case(vector.c, options.judged_by) : judge::try_case(vector.c);
     ++result.vectors;
     result.values += trial.verdict.values;
     result.ties += trial.verdict.ties;
-    std::string wrong = options.subject ? judged(trial, result) : verify(vector.c, trial);
+    std::string wrong = options.judged_by ? judged(trial, result) : verify(vector.c, trial);
     if (!wrong.empty()) result.failures.push_back({vector.file, vector.line, vector.c.id, std::move(wrong)});
     if (options.progress) options.progress(result.vectors, vectors.size());
   }
@@ -42,7 +43,7 @@ CheckResult check(const CheckOptions& options) {
 Coverage coverage(const std::filesystem::path& folder, const Selection& selection) {
   Coverage sum{std::vector<spec::OutcomeCounts>(spec::kClauseCount), 0};
   for (const Vector& vector : read_vectors(folder, selection)) {
-    const fuzz::ModelRun run = fuzz::run_model(vector.c);
+    const judge::ModelRun run = judge::run_model(vector.c);
     ++sum.vectors;
     for (std::size_t i = 0; i < sum.counts.size(); ++i) {
       const model::ClauseCount& count = run.recorder.counts()[i];

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "corpus/golden.h"
-#include "fuzz/oracle/trial.h"
-#include "spec/trace/coverage.h"
+#include "judge/oracle/trial.h"
+#include "spec/coverage/coverage.h"
 
 namespace toolcomp::corpus {
 
@@ -33,9 +33,9 @@ struct CheckResult {
 struct CheckOptions {
   std::filesystem::path folder = default_folder();
   Selection selection;
-  // The subject that is judged instead of both engines. If it is empty, the model must give every vector again
+  // Judges a controller instead of both engines. If it is empty, the model must give every vector again
   // character by character, and the fast engine must agree with it.
-  fuzz::Subject subject;
+  judge::CaseJudge judged_by;
   std::function<void(std::uint64_t done, std::uint64_t all)> progress;
 };
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "corpus/vector.h"
-#include "fuzz/oracle/trial.h"
+#include "judge/oracle/trial.h"
 #include "spec/language/case_format.h"
 #include "spec/language/input_error.h"
 #include "spec/language/naming_clause.h"
@@ -84,7 +84,7 @@ void ask_again(std::vector<Change>& changes, std::span<const spec::Case> before,
     spec::Case now = *then.at(change.id);
     try {
       // Judged, as a vector is when it is made: a number that was decided to be rational has its fraction.
-      now.expect = expected_events(fuzz::try_case(now).run);
+      now.expect = expected_events(judge::try_case(now).run);
       change = compare(*then.at(change.id), now);
     } catch (const spec::InputError& error) {
       change.after = std::string("refused: ") + error.what();

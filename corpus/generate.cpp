@@ -7,11 +7,11 @@
 #include "corpus/diff.h"
 #include "corpus/examples.h"
 #include "corpus/select.h"
-#include "corpus/sha256.h"
 #include "corpus/vector.h"
 #include "fuzz/gen/generator.h"
+#include "host/file_writer.h"
+#include "host/sha256.h"
 #include "spec/language/case_format.h"
-#include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
 
@@ -82,18 +82,18 @@ class Writer {
     const fs::path path = options_.folder / file;
     fs::path refused = path;
     refused += ".rej";
-    spec::write_file(refused, text);
+    host::write_file(refused, text);
     const std::size_t before = result_.rejected.size();
     std::size_t line = 0;
     for (const spec::Case& c : read_again(refused, cases.size(), file)) {
       ++line;
-      std::string wrong = verify(c, fuzz::try_case(c));
+      std::string wrong = verify(c, judge::try_case(c));
       if (wrong.empty() && c.id != vector_id(c)) wrong = "the id does not belong to this vector";
       if (!wrong.empty()) result_.rejected.push_back({file, line, wrong});
     }
     if (result_.rejected.size() != before) return;
     fs::rename(refused, path);
-    files_[file] = {file, section, cases.size(), sha256(text)};
+    files_[file] = {file, section, cases.size(), host::sha256(text)};
     result_.vectors += cases.size();
     if (options_.progress) options_.progress(file, cases.size());
   }
@@ -116,7 +116,7 @@ class Writer {
     for (const auto& [name, file] : files_) manifest.files.push_back(file);
     manifest.version = next_version(manifest);
     result_.version = manifest.version;
-    spec::write_file(options_.folder / "manifest.json", write_manifest(manifest));
+    host::write_file(options_.folder / "manifest.json", write_manifest(manifest));
   }
 
   std::string next_version(const Manifest& manifest) {

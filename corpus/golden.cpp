@@ -5,9 +5,9 @@
 #include <fstream>
 #include <iterator>
 
+#include "host/data_folder.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/case_format.h"
-#include "spec/language/data_folder.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::corpus {
@@ -35,7 +35,7 @@ void read_into(std::vector<Vector>& vectors, const std::filesystem::path& file, 
 
 }  // namespace
 
-std::filesystem::path default_folder() { return spec::data_folder() / "corpus" / "golden"; }
+std::filesystem::path default_folder() { return host::data_folder() / "corpus" / "golden"; }
 
 bool Selection::wants(const std::string& section) const {
   return sections.empty() || std::ranges::find(sections, section) != sections.end();

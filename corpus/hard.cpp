@@ -14,7 +14,7 @@
 #include "corpus/golden.h"
 #include "corpus/vector.h"
 #include "fuzz/gen/numbers.h"
-#include "fuzz/oracle/trial.h"
+#include "judge/oracle/trial.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/input_error.h"
 
@@ -67,10 +67,10 @@ struct MarginFound {
   std::string margin;
   std::uint64_t line = 0;
 };
-std::optional<MarginFound> least_margin(const fuzz::ModelRun& run, spec::Clause clause, Sign outcome) {
+std::optional<MarginFound> least_margin(const judge::ModelRun& run, spec::Clause clause, Sign outcome) {
   const model::Decision* least = nullptr;
   for (const model::Decision& d : run.recorder.decisions())
-    if (d.clause == clause && d.outcome == outcome && (least == nullptr || fuzz::margin(d) < fuzz::margin(*least)))
+    if (d.clause == clause && d.outcome == outcome && (least == nullptr || judge::margin(d) < judge::margin(*least)))
       least = &d;
   if (least == nullptr) return std::nullopt;
   if (outcome == Sign::zero) return MarginFound{"0", least->line};
@@ -110,9 +110,9 @@ class Checker {
   }
 
   void try_one(const spec::Case& c, const std::vector<std::size_t>& statements) {
-    const fuzz::Trial trial = fuzz::try_case(c);
-    if (trial.verdict.outcome != fuzz::Outcome::agrees) {
-      fail(c, trial.verdict.difference ? fuzz::explain(*trial.verdict.difference)
+    const judge::Trial trial = judge::try_case(c);
+    if (trial.verdict.outcome != judge::Outcome::agrees) {
+      fail(c, trial.verdict.difference ? judge::explain(*trial.verdict.difference)
                                        : "could not be judged: " + trial.verdict.undecided);
       return;
     }
@@ -125,7 +125,7 @@ class Checker {
     }
   }
 
-  void check(const Nearest& n, const fuzz::Trial& trial) {
+  void check(const Nearest& n, const judge::Trial& trial) {
     const std::string what = fmt::format("{} {}", spec::info(n.clause).id, name_in(kOutcomes, n.outcome));
     const auto least = least_margin(trial.run, n.clause, n.outcome);
     if (!least)
@@ -138,7 +138,7 @@ class Checker {
       fail(n.c, fmt::format("{} decimals, the manifest states {}", finest_there, n.decimals));
   }
 
-  void check(const Worst& w, const fuzz::Trial& trial) {
+  void check(const Worst& w, const judge::Trial& trial) {
     const double now = w.of == Deviation::ulp ? trial.verdict.worst_ulp : trial.verdict.worst_um;
     const std::string text = rounded_up(Rational(now), kDeviationDigits);
     if (text == w.value) return;

@@ -7,10 +7,10 @@
 #include <map>
 #include <set>
 
-#include "corpus/sha256.h"
 #include "corpus/vector.h"
+#include "host/sha256.h"
+#include "spec/coverage/report.h"
 #include "spec/language/case_format.h"
-#include "spec/trace/report.h"
 
 namespace toolcomp::corpus {
 namespace {
@@ -41,7 +41,7 @@ class Linter {
     std::set<std::string> listed{"manifest.json"};
     for (const ManifestFile& file : manifest_.files) {
       listed.insert(file.file);
-      if (sha256_file((folder_ / file.file).string()) != file.sha256)
+      if (host::sha256_file((folder_ / file.file).string()) != file.sha256)
         breach(file.file, "the SHA-256 is not the one in the manifest");
     }
     std::vector<std::string> found;

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "corpus/sha256.h"
+#include "host/sha256.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/input_error.h"
 #include "spec/language/outside_json.h"
@@ -60,7 +60,7 @@ Manifest read_manifest(const std::filesystem::path& folder) {
   } catch (const std::invalid_argument& error) {
     throw spec::InputError(file.string(), 0, 0, error.what());
   }
-  manifest.hash = sha256(text);
+  manifest.hash = host::sha256(text);
   return manifest;
 }
 

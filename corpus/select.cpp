@@ -6,10 +6,10 @@
 #include <string>
 
 #include "corpus/generate.h"
-#include "corpus/sha256.h"
 #include "corpus/vector.h"
 #include "fuzz/campaign/features.h"
 #include "fuzz/gen/generator.h"
+#include "host/sha256.h"
 #include "spec/language/parameter.h"
 #include "spec/language/setup_key.h"
 
@@ -44,7 +44,7 @@ class Choice {
   [[nodiscard]] std::optional<Contender> look(std::size_t index) const {
     spec::Case c = candidate(section_, options_.seed, index);
     if (!spec::has_allowed_parameters(c.setup)) return std::nullopt;  // no reader would take it
-    const fuzz::Trial trial = fuzz::try_case(c);
+    const judge::Trial trial = judge::try_case(c);
     if (trial.found()) return Contender{index, {}, std::nullopt};
     std::vector<std::uint32_t> features = fuzz::features(trial.run.recorder);
     if (!adds(features) && !wants_spare()) return std::nullopt;
@@ -91,7 +91,8 @@ class Choice {
 }  // namespace
 
 std::uint64_t seed_of(std::string_view section, std::uint64_t seed, std::size_t index) {
-  const std::string digest = sha256(std::string(section) + ' ' + std::to_string(seed) + ' ' + std::to_string(index));
+  const std::string digest =
+      host::sha256(std::string(section) + ' ' + std::to_string(seed) + ' ' + std::to_string(index));
   std::uint64_t value = 0;
   for (std::size_t i = 0; i < 16; ++i)
     value = value << 4U | static_cast<std::uint64_t>(digest[i] <= '9' ? digest[i] - '0' : digest[i] - 'a' + 10);

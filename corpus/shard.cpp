@@ -11,11 +11,11 @@
 #include <utility>
 
 #include "corpus/select.h"
-#include "corpus/sha256.h"
 #include "fuzz/gen/generator.h"
+#include "host/file_writer.h"
+#include "host/sha256.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/case_format.h"
-#include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::corpus {
@@ -29,7 +29,7 @@ Json run_of(const GenerateOptions& options, std::size_t count) {
   return {{"shards", 1},
           {"of", count},
           {"generator", kGenerator},
-          {"build", sha256_file("/proc/self/exe")},
+          {"build", host::sha256_file("/proc/self/exe")},
           {"seed", std::to_string(options.seed)},
           {"vectors", options.vectors},
           {"candidates", options.candidates},
@@ -77,7 +77,7 @@ class Reader {
   void expect_whole() {
     const std::size_t last = text_.size() < 2 ? 0 : text_.rfind('\n', text_.size() - 2) + 1;
     const std::string digest = text_.substr(last);
-    if (digest != sha256(std::string_view(text_).substr(0, last)) + '\n')
+    if (digest != host::sha256(std::string_view(text_).substr(0, last)) + '\n')
       refuse("its digest does not belong to its text");
     end_ = last;
     run_ = next_json();
@@ -159,8 +159,8 @@ void write_shard(const GenerateOptions& options, const Share& share) {
     });
     if (options.progress) options.progress(std::string(section), count);
   }
-  text += sha256(text) + '\n';
-  spec::write_file(shard_file(options.folder, share), text);
+  text += host::sha256(text) + '\n';
+  host::write_file(shard_file(options.folder, share), text);
 }
 
 GenerateResult merge_shards(const fs::path& shards, const GenerateOptions& options) {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "corpus/sha256.h"
-#include "fuzz/oracle/compare.h"
+#include "host/sha256.h"
+#include "judge/oracle/compare.h"
 #include "model/basis/print.h"
 #include "spec/language/event_json.h"
 #include "spec/language/number_text.h"
@@ -23,20 +23,20 @@ bool rests_on(const spec::ClauseInfo& clause, const model::ClauseCount& count) {
 }
 
 // A run that a clause leaves open is a result like any other; one whose arithmetic could not decide is none.
-bool is_undecided(const fuzz::Trial& trial) {
-  return trial.verdict.outcome == fuzz::Outcome::undecided ||
+bool is_undecided(const judge::Trial& trial) {
+  return trial.verdict.outcome == judge::Outcome::undecided ||
          std::ranges::any_of(trial.run.events, [](const model::Event& event) {
-           return event.kind == spec::EventKind::undecided && !fuzz::left_open(event);
+           return event.kind == spec::EventKind::undecided && !judge::left_open(event);
          });
 }
 
 // What keeps the engines from agreeing; empty if nothing does.
-std::string disagreement(const fuzz::Trial& trial) {
-  if (trial.acceptance == fuzz::Acceptance::no_setup) return "no control could have this setup";
-  if (trial.acceptance == fuzz::Acceptance::no_text) return "the program cannot be read";
+std::string disagreement(const judge::Trial& trial) {
+  if (trial.acceptance == judge::Acceptance::no_setup) return "no control could have this setup";
+  if (trial.acceptance == judge::Acceptance::no_text) return "the program cannot be read";
   if (is_undecided(trial)) return "a decision cannot be certified";
-  if (trial.verdict.difference) return "fast engine: " + fuzz::explain(*trial.verdict.difference);
-  if (trial.verdict.outcome != fuzz::Outcome::agrees) return "nothing could be judged";
+  if (trial.verdict.difference) return "fast engine: " + judge::explain(*trial.verdict.difference);
+  if (trial.verdict.outcome != judge::Outcome::agrees) return "nothing could be judged";
   return {};
 }
 
@@ -52,7 +52,7 @@ std::string vector_id(const spec::Case& c) {
   std::string control(c.section.substr(0, c.section.find('/')));
   const std::string topic = c.section.substr(std::min(control.size() + 1, c.section.size()));
   const std::string digest =
-      sha256(spec::write_setup_json(c.setup) + '\n' + std::to_string(c.samples) + '\n' + c.program);
+      host::sha256(spec::write_setup_json(c.setup) + '\n' + std::to_string(c.samples) + '\n' + c.program);
   return control + '.' + topic + '.' + digest.substr(0, kHexDigits);
 }
 
@@ -63,7 +63,7 @@ std::vector<std::string> clauses_of(const model::Recorder& recorder) {
   return ids;
 }
 
-std::vector<std::string> flags_of(const fuzz::Trial& trial) {
+std::vector<std::string> flags_of(const judge::Trial& trial) {
   const model::Recorder& recorder = trial.run.recorder;
   std::vector<std::string> flags;
   if (!trial.run.events.empty() && trial.run.events.back().kind == spec::EventKind::alarm) flags.emplace_back("alarm");
@@ -79,7 +79,7 @@ std::vector<std::string> flags_of(const fuzz::Trial& trial) {
   return flags;
 }
 
-std::vector<spec::TextEvent> expected_events(const fuzz::ModelRun& run) {
+std::vector<spec::TextEvent> expected_events(const judge::ModelRun& run) {
   std::vector<spec::TextEvent> events;
   events.reserve(run.events.size());
   for (const model::Event& event : run.events) {
@@ -95,7 +95,7 @@ std::string event_text(const spec::TextEvent& event, const spec::Axes& axes) {
   return text;
 }
 
-std::string verify(const spec::Case& vector, const fuzz::Trial& trial) {
+std::string verify(const spec::Case& vector, const judge::Trial& trial) {
   if (std::string wrong = disagreement(trial); !wrong.empty()) return wrong;
   const std::vector<spec::TextEvent> events = expected_events(trial.run);
   for (std::size_t i = 0; i < std::max(events.size(), vector.expect.size()); ++i) {
@@ -112,7 +112,7 @@ std::string verify(const spec::Case& vector, const fuzz::Trial& trial) {
 }
 
 std::string complete(spec::Case& c) {
-  const fuzz::Trial trial = fuzz::try_case(c);
+  const judge::Trial trial = judge::try_case(c);
   if (std::string wrong = disagreement(trial); !wrong.empty()) return wrong;
   const bool unrestricted = std::ranges::find(c.flags, kUnrestricted) != c.flags.end();
   try {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/oracle/trial.h"
+#include "judge/oracle/trial.h"
 #include "spec/language/case.h"
 
 namespace toolcomp::corpus {
@@ -23,17 +23,17 @@ std::string vector_id(const spec::Case& c);
 std::vector<std::string> clauses_of(const model::Recorder& recorder);
 
 // The flags (manifest.h) that follow from the run. The generator adds `generated-unrestricted`.
-std::vector<std::string> flags_of(const fuzz::Trial& trial);
+std::vector<std::string> flags_of(const judge::Trial& trial);
 
 // The events of a run as a vector expects them. Throws exact::Undecided if digits cannot be certified.
-std::vector<spec::TextEvent> expected_events(const fuzz::ModelRun& run);
+std::vector<spec::TextEvent> expected_events(const judge::ModelRun& run);
 
 // One event in the form of a vector.
 std::string event_text(const spec::TextEvent& event, const spec::Axes& axes);
 
 // Checks a vector against the model and the fast engine. Returns an empty text, or what is wrong: an event that
 // differs, an engine that does not agree, flags or clauses that the run does not have.
-std::string verify(const spec::Case& vector, const fuzz::Trial& trial);
+std::string verify(const spec::Case& vector, const judge::Trial& trial);
 
 // Runs both engines and fills in id, clauses, flags and expected events. Returns an empty text, or why the case cannot
 // be a vector: a setup that no control could have, a decision or digits that cannot be certified, no event, engines

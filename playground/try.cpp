@@ -23,13 +23,13 @@
 #include "cli/word_at_fault.h"
 #include "fast/basis/print.h"
 #include "fuzz/gen/program_text.h"
-#include "fuzz/oracle/control.h"
-#include "fuzz/oracle/number.h"
+#include "judge/oracle/control.h"
+#include "judge/oracle/number.h"
 #include "model/basis/print.h"
+#include "spec/coverage/report.h"
 #include "spec/language/event_json.h"
 #include "spec/language/json_text.h"
 #include "spec/language/naming_clause.h"
-#include "spec/trace/report.h"
 
 namespace toolcomp::playground {
 namespace {
@@ -103,7 +103,7 @@ class FastRun final : public fast::EventSink {
   }
 
   void run(std::size_t most_blocks) {
-    fuzz::with_control(c_.setup, [&]<class Control>(Control) {
+    judge::with_control(c_.setup, [&]<class Control>(Control) {
       auto engine = Control::fast(c_.setup, *this, c_.samples);
       auto reader = Control::reader(spec::text_source(c_.program), c_.setup, kProgram);
       const auto block = std::make_unique<typename Control::Block>();
@@ -147,7 +147,7 @@ Json said(const model::Event& event, const certify::ProgramRun::Block& block, co
   json["text"] = event.message + more;
   if (event.kind == spec::EventKind::alarm && event.alarm == spec::AlarmCause::interference &&
       event.value.sign() == exact::Sign::positive)
-    json["more"] = fmt::format("the paths cross by {:.6g}", fuzz::approximate(event.value));
+    json["more"] = fmt::format("the paths cross by {:.6g}", judge::approximate(event.value));
   if (const std::optional<spec::Clause> clause = spec::naming_clause(event.clauses)) {
     json["clause"] = spec::info(*clause).id;
     json["clause_text"] = spec::show_clause(spec::info(*clause).id, spec::ReportFormat::text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The formal specification runs in one thread for ever (formal/engine.h), whichever thread of Python asks.
+// The formal specification runs in one thread for ever (spec_engine/engine.h), whichever thread of Python asks.
 #pragma once
 
 #include <functional>

@@ -6,16 +6,16 @@
 #include <vector>
 
 #include "certify/capabilities.h"
-#include "formal/engine.h"
 #include "fuzz/gen/generator.h"
 #include "python/bindings.h"
+#include "spec_engine/engine.h"
 
 // NOLINTNEXTLINE(*): the macro's
 PYBIND11_MODULE(_core, module) {
   using namespace toolcomp;  // NOLINT(google-build-using-namespace): what the macro opens is in none
   module.doc() = "The part of toolcomp that is written in C++. Use the package toolcomp.";
   module.attr("version") = TOOLCOMP_VERSION;
-  module.attr("has_specification") = formal::available();
+  module.attr("has_specification") = spec_engine::available();
   module.def("sections", [] {
     const auto names = fuzz::sections();
     return std::vector<std::string>(names.begin(), names.end());

@@ -12,17 +12,17 @@
 #include <vector>
 
 #include "certify/adapter.h"
-#include "certify/campaign.h"
-#include "certify/date.h"
+#include "certify/certification.h"
 #include "certify/input/program.h"
 #include "certify/report.h"
 #include "certify/running_report.h"
 #include "corpus/golden.h"
-#include "formal/engine.h"
+#include "host/date.h"
 #include "python/bindings.h"
 #include "python/formal_thread.h"
 #include "python/python_subject.h"
 #include "spec/language/input_error.h"
+#include "spec_engine/engine.h"
 
 namespace py = pybind11;
 
@@ -62,14 +62,14 @@ struct Asked {
 };
 
 // What a command line calls a controller.
-void name_controller(certify::CampaignOptions& campaign, const std::string& command) {
-  campaign.controller = command;
+void name_controller(certify::CertificationOptions& certification, const std::string& command) {
+  certification.controller = command;
   if (command == "fast") {
-    campaign.subject = [] { return certify::built_in_engine(); };
+    certification.subject = [] { return certify::built_in_engine(); };
   } else if (command == certify::kFormalSpecification) {
-    if (!formal::available())
+    if (!spec_engine::available())
       throw spec::InputError("controller", 0, 0, "this toolcomp was built without the formal specification");
-    campaign.subject = [] { return std::make_unique<Specification>(); };
+    certification.subject = [] { return std::make_unique<Specification>(); };
   } else if (certify::is_adapter_name(command)) {
     const auto adapter = certify::find_adapter(command, certify::adapter_folders({}));
     if (!adapter) return;
@@ -77,7 +77,7 @@ void name_controller(certify::CampaignOptions& campaign, const std::string& comm
       throw spec::InputError("controller", 0, 0,
                              command + " is a recorded controller; certify it with the command toolcomp");
     certify::expect_programs(*adapter);
-    campaign.controller = adapter->shell_command();
+    certification.controller = adapter->shell_command();
   }
 }
 
@@ -94,10 +94,10 @@ std::vector<certify::CaseInput> inputs_of(const Asked& asked) {
   return inputs;
 }
 
-// A campaign from its options to its certificate, written if a folder is named.
-class Campaign {
+// A certification from its options to its certificate, written if a folder is named.
+class Certification {
  public:
-  explicit Campaign(const Asked& asked) : asked_(asked) {
+  explicit Certification(const Asked& asked) : asked_(asked) {
     name_controller(options_, asked.command);
     if (asked.controller) options_.subject = [this] { return python_subject(*asked_.controller, ending_); };
     options_.sections = asked.sections;
@@ -125,7 +125,7 @@ class Campaign {
       tell(done, all);
     };
     auto certificate = std::make_shared<certify::Certificate>(certify::certify(options_));
-    certificate->occasion = {certify::date_of_now(), {}, {}, {}};
+    certificate->occasion = {host::date_of_now(), {}, {}, {}};
     if (running) certify::write_report(*certificate, asked_.report);
     return certificate;
   }
@@ -151,19 +151,19 @@ class Campaign {
   }
 
   const Asked& asked_;
-  certify::CampaignOptions options_;
+  certify::CertificationOptions options_;
   Ending ending_;
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
 };
 
 std::shared_ptr<certify::Certificate> certify_asked(const Asked& asked) {
-  Campaign campaign(asked);
+  Certification certification(asked);
   std::shared_ptr<certify::Certificate> certificate;
   {
     const py::gil_scoped_release released;
-    certificate = campaign.run();
+    certificate = certification.run();
   }
-  campaign.rethrow();
+  certification.rethrow();
   return certificate;
 }
 

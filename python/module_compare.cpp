@@ -30,14 +30,14 @@ using Released = py::call_guard<py::gil_scoped_release>;
 
 std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-Json counts(const fuzz::Verdict& verdict) {
+Json counts(const judge::Verdict& verdict) {
   return {{"values", verdict.values},         {"decisions", verdict.decisions},
           {"near_ties", verdict.near_ties},   {"ties", verdict.ties},
           {"worst_ulp", verdict.worst_ulp},   {"worst_um", verdict.worst_um},
           {"values_not_judged", verdict.wide}};
 }
 
-Json to_json(const std::optional<fuzz::Difference>& difference, const Program& program) {
+Json to_json(const std::optional<judge::Difference>& difference, const Program& program) {
   if (!difference) return {};
   const certify::input::Place place = program.place(difference->line);
   Json json{{"file", place.file},
@@ -51,15 +51,15 @@ Json to_json(const std::optional<fuzz::Difference>& difference, const Program& p
   return json;
 }
 
-std::string_view name(fuzz::Outcome outcome) {
+std::string_view name(judge::Outcome outcome) {
   switch (outcome) {
-    case fuzz::Outcome::agrees:
+    case judge::Outcome::agrees:
       return "agrees";
-    case fuzz::Outcome::differs:
+    case judge::Outcome::differs:
       return "differs";
-    case fuzz::Outcome::undecided:
+    case judge::Outcome::undecided:
       return "undecided";
-    case fuzz::Outcome::nothing_judged:
+    case judge::Outcome::nothing_judged:
       break;
   }
   return "nothing judged";

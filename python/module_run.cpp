@@ -11,14 +11,14 @@
 #include <vector>
 
 #include "certify/input/program.h"
-#include "formal/engine.h"
-#include "fuzz/oracle/control.h"
+#include "judge/oracle/control.h"
 #include "python/bindings.h"
 #include "python/formal_thread.h"
 #include "python/interrupt.h"
 #include "python/numbers.h"
 #include "spec/language/event_json.h"
 #include "spec/language/input_error.h"
+#include "spec_engine/engine.h"
 
 namespace py = pybind11;
 
@@ -90,7 +90,7 @@ class EngineRun final : public EventRun, private spec::EventSink<Number> {
   std::mutex mutex_;
   std::shared_ptr<Program> program_;
   AppendNumber append_;
-  fuzz::StreamedProgram text_;
+  judge::StreamedProgram text_;
   typename Control::Reader reader_;
   typename Control::Block block_;
   model::Recorder recorder_;
@@ -110,7 +110,7 @@ class SpecifiedRun final : public EventRun {
     if (std::exchange(ended_, true)) return lines;
     const spec::Case c = program_->as_case();
     in_formal_thread([&] {
-      const formal::Run run = formal::run(c);
+      const spec_engine::Run run = spec_engine::run(c);
       if (!run.not_said.empty()) throw spec::InputError(program_->path(), 0, 0, run.not_said);
       for (const auto& event : run.events) spec::append_event_json(lines.emplace_back(), event, c.setup.axes, append_);
     });
@@ -125,11 +125,11 @@ class SpecifiedRun final : public EventRun {
 
 std::unique_ptr<EventRun> run(std::shared_ptr<Program> program, const std::string& engine, int digits) {
   if (engine == "spec") {
-    if (!formal::available())
+    if (!spec_engine::available())
       throw spec::InputError("engine", 0, 0, "this toolcomp was built without the formal specification");
     return std::make_unique<SpecifiedRun>(std::move(program), ExactNumber{digits});
   }
-  return fuzz::with_control(program->setup(), [&]<class Control>(Control) -> std::unique_ptr<EventRun> {
+  return judge::with_control(program->setup(), [&]<class Control>(Control) -> std::unique_ptr<EventRun> {
     if (engine == "fast")
       return std::make_unique<EngineRun<Control, double, DoubleNumber>>(std::move(program), DoubleNumber{});
     return std::make_unique<EngineRun<Control, exact::Real, ExactNumber>>(std::move(program), ExactNumber{digits});

@@ -14,12 +14,12 @@
 #include <utility>
 #include <vector>
 
-#include "certify/date.h"
 #include "certify/input/program.h"
 #include "certify/report.h"
 #include "certify/trace/recording.h"
 #include "certify/trace/trace.h"
-#include "fuzz/oracle/program_facts.h"
+#include "host/date.h"
+#include "judge/oracle/program_facts.h"
 #include "python/bindings.h"
 #include "python/interrupt.h"
 #include "spec/language/input_error.h"
@@ -144,7 +144,7 @@ std::shared_ptr<TraceReport> report_of(const Program& program, std::string file,
   certify::input::expect_readable(report->c, program.path());
   report->file = std::move(file);
   report->options = options;
-  report->occasion.date = certify::date_of_now();
+  report->occasion.date = host::date_of_now();
   return report;
 }
 
@@ -167,7 +167,7 @@ std::shared_ptr<TraceReport> judge_file(const std::shared_ptr<Program>& program,
   auto report = report_of(*program, path, options);
   std::ifstream csv(path);
   if (!csv) throw spec::InputError(path, 0, 0, "cannot be read");
-  const spec::Units units = fuzz::ProgramFacts::of(report->c).units().value_or(report->c.setup.units);
+  const spec::Units units = judge::ProgramFacts::of(report->c).units().value_or(report->c.setup.units);
   certify::Recording recording(csv, path, report->c.setup.axes, units);
   Interruptible source(recording);
   report->result = certify::judge_trace(report->c, source, options);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A controller written in Python, as the subject of a campaign.
+// A controller written in Python, as the subject of a certification.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -14,7 +14,7 @@
 
 namespace toolcomp::python {
 
-// What ends a campaign from Python's side: Ctrl-C, or an exception that is to be seen by who called.
+// What ends a certification from Python's side: Ctrl-C, or an exception that is to be seen by who called.
 class Ending {
  public:
   // Keeps the first. Needs the GIL.
@@ -35,7 +35,7 @@ struct PythonController {
   pybind11::function hello;   // () -> line
   pybind11::function answer;  // (line) -> line
   pybind11::object restart;   // (), or None: it remembers nothing
-  bool raise_errors = false;  // an Exception ends the campaign; else it is a finding of kind "crash"
+  bool raise_errors = false;  // an Exception ends the certification; else it is a finding of kind "crash"
 };
 
 // It must not outlive `ending`. It runs with the GIL held; there is no time-out.

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "certify/bundle/spool.h"
-#include "corpus/sha256.h"
+#include "host/sha256.h"
 
 struct archive;
 
@@ -38,7 +38,7 @@ class ArchiveWriter {
   std::filesystem::path beside_;
   std::FILE* out_ = nullptr;
   struct archive* archive_ = nullptr;
-  corpus::Sha256 digest_;
+  host::Sha256 digest_;
 };
 
 }  // namespace toolcomp::certify::bundle

@@ -9,7 +9,7 @@
 #include "certify/bundle/plain_name.h"
 #include "certify/bundle/refused.h"
 #include "certify/bundle/seal.h"
-#include "corpus/sha256.h"
+#include "host/sha256.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::certify::bundle {
@@ -85,12 +85,12 @@ std::string digest_of(Bundle& bundle, ArchiveReader& archive, const ArchiveReade
     return spool->finish();
   }
   if (is_passed_over(member.name)) {
-    corpus::Sha256 digest;
+    host::Sha256 digest;
     archive.read([&digest](std::string_view piece) { digest.update(piece); });
     return digest.hex();
   }
   std::string text = read_text(archive, member);
-  std::string digest = corpus::sha256(text);
+  std::string digest = host::sha256(text);
   bundle.files.emplace(member.name, std::move(text));
   return digest;
 }

@@ -14,8 +14,8 @@
 #include "certify/bundle/sbom.h"
 #include "certify/bundle/signature.h"
 #include "certify/controller.h"
-#include "certify/date.h"
-#include "corpus/sha256.h"
+#include "host/date.h"
+#include "host/sha256.h"
 #include "spec/language/byte_source.h"
 
 namespace toolcomp::certify::bundle {
@@ -80,7 +80,7 @@ void BundleWriter::finish(const Certificate& certificate, const fs::path& report
                           const std::vector<fs::path>& findings) {
   Manifest manifest;
   manifest.tool = certificate.identity.tool;
-  manifest.made = date_of_now();
+  manifest.made = host::date_of_now();
   manifest.command = request_.command;
   manifest.directory = fs::current_path().string();
   manifest.sections = request_.sections;
@@ -91,7 +91,7 @@ void BundleWriter::finish(const Certificate& certificate, const fs::path& report
 
   std::map<std::string, std::function<void(ArchiveWriter&)>> members;
   const auto add_text = [&](const std::string& name, std::string text) {
-    manifest.files.push_back({name, text.size(), corpus::sha256(text)});
+    manifest.files.push_back({name, text.size(), host::sha256(text)});
     members[name] = [name, text = std::move(text)](ArchiveWriter& archive) { archive.add(name, text); };
   };
   const auto add_spool = [&](std::string_view name, Spool& spool) {

@@ -8,15 +8,15 @@
 
 #include "certify/bundle/manifest.h"
 #include "certify/bundle/spool.h"
-#include "certify/campaign.h"
 #include "certify/certificate.h"
+#include "certify/certification.h"
 
 namespace toolcomp::certify::bundle {
 
 // The command that asked for the certificate.
 struct Request {
   std::vector<std::string> command;   // the words of the command line
-  std::vector<std::string> sections;  // as CampaignOptions::sections
+  std::vector<std::string> sections;  // as CertificationOptions::sections
   std::string adapter;                // its name
   std::filesystem::path corpus;       // folder of the golden corpus; empty: none
 };
@@ -29,7 +29,7 @@ class BundleWriter {
 
   // Adds a program, case or setup by its name on the command line. A name is added only once.
   void add_input(const std::string& given, std::string bytes);
-  // To be called by CampaignOptions::judged.
+  // To be called by CertificationOptions::judged.
   void add(const JudgedCase& judged);
   // `report`: the folder of the report; `findings`: its files of findings.
   void finish(const Certificate& certificate, const std::filesystem::path& report,

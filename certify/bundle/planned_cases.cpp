@@ -10,8 +10,8 @@
 #include "certify/controller.h"
 #include "certify/selection.h"
 #include "corpus/golden.h"
-#include "corpus/sha256.h"
 #include "fuzz/gen/generator.h"
+#include "host/sha256.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::certify::bundle {
@@ -32,14 +32,14 @@ void PlannedCases::plan_golden(const Plan& plan) {
   corpus::Selection selection;
   for (const corpus::ManifestFile& file : corpus::read_manifest(plan.corpus).files) {
     if (!plan.sections.empty() && !among(plan.sections, file.section)) continue;
-    if (corpus::sha256_file((plan.corpus / file.file).string()) != file.sha256)
+    if (host::sha256_file((plan.corpus / file.file).string()) != file.sha256)
       throw spec::InputError((plan.corpus / file.file).string(), 0, 0,
                              "is not the file that the manifest of the corpus names");
     if (!among(selection.sections, file.section)) selection.sections.push_back(file.section);
   }
   if (selection.sections.empty()) return;
   for (const corpus::Vector& vector : corpus::read_vectors(plan.corpus, selection))
-    golden_[vector.c.id] = {1, corpus::sha256(request_line(vector.c))};
+    golden_[vector.c.id] = {1, host::sha256(request_line(vector.c))};
 }
 
 void PlannedCases::plan_generated(const Plan& plan) {
@@ -52,7 +52,7 @@ void PlannedCases::plan_generated(const Plan& plan) {
     }
     if (plan.regenerate) {
       for (const spec::Case& c : select_cases(section, plan.seed, plan.generated).cases)
-        generated_[c.id] = {1, corpus::sha256(request_line(c))};
+        generated_[c.id] = {1, host::sha256(request_line(c))};
       continue;
     }
     for (std::uint32_t i = 0; i < plan.generated; ++i) generated_[generated_id(section, plan.seed, i)] = {};
@@ -68,7 +68,7 @@ void PlannedCases::take(const spec::Case& c, Origin origin, const std::string& r
     throw Refused(fmt::format("{}: is not a {} case of this certificate", c.id, name(origin)));
   }
   if (found->second.times == 0) throw Refused(c.id + ": occurs twice");
-  if (!found->second.digest.empty() && found->second.digest != corpus::sha256(request))
+  if (!found->second.digest.empty() && found->second.digest != host::sha256(request))
     throw Refused(
         fmt::format("{}: is not the {}", c.id,
                     origin == Origin::golden ? "golden vector of the corpus" : "case that the seed generates"));

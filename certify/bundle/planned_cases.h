@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/campaign.h"
+#include "certify/certification.h"
 
 namespace toolcomp::certify::bundle {
 

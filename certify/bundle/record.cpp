@@ -44,7 +44,7 @@ Value named(const std::string& text, const std::string& place) {
 // What is compared.
 Json facts(const Record& record) {
   const CaseResult& r = record.result;
-  const fuzz::Verdict& v = r.verdict;
+  const judge::Verdict& v = r.verdict;
   Json json{{"id", r.id},
             {"section", r.section},
             {"origin", name(r.origin)},
@@ -117,11 +117,11 @@ Record read_record(std::uint64_t number, std::string_view line) {
       record.fault =
           Fault{named<FaultKind, kFaultKinds>(text("fault"), place), text("what"), text("status"), text("errors")};
     record.cut = json.contains("cut") && json.at("cut").get<bool>();
-    fuzz::Verdict& v = r.verdict;
+    judge::Verdict& v = r.verdict;
     v.values = json.at("values").get<std::uint64_t>();
     v.wide = json.at("not_judged").get<std::uint64_t>();
     if (json.contains("judged_before_line"))
-      v.beyond = fuzz::Beyond{json.at("judged_before_line").get<std::uint64_t>(), 1, "", 0};
+      v.beyond = judge::Beyond{json.at("judged_before_line").get<std::uint64_t>(), 1, "", 0};
     v.events = json.at("events").get<std::uint64_t>();
     v.out_of_scope = json.at("out_of_scope").get<std::uint64_t>();
     if (json.contains("left_out")) {

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string_view>
 
-#include "corpus/sha256.h"
+#include "host/sha256.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::certify::bundle {
@@ -34,7 +34,7 @@ bool is_sealed(const std::filesystem::path& file) {
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (!in || error) throw spec::InputError(file.string(), 0, 0, "cannot be read");
   if (size < kSeal) return false;
-  corpus::Sha256 digest;
+  host::Sha256 digest;
   std::array<char, std::size_t{1} << 16> buffer{};
   const auto take = [&](std::uintmax_t most) -> std::string_view {
     in.read(buffer.data(), static_cast<std::streamsize>(std::min<std::uintmax_t>(most, buffer.size())));

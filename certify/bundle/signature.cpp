@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <string_view>
 
-#include "certify/process.h"
+#include "host/process.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::certify::bundle {
@@ -56,15 +56,15 @@ std::string status_of(const std::string& out, std::string_view word, bool& found
 std::filesystem::path signature_file(const std::filesystem::path& file) { return file.string() + ".asc"; }
 
 void expect_key(const std::string& key) {
-  const Outcome outcome = gpg("--list-secret-keys -- " + shell_quoted(key));
+  const Outcome outcome = gpg("--list-secret-keys -- " + host::shell_quoted(key));
   if (outcome.status != 0)
     throw spec::InputError("--sign", 0, 0, "no secret key \"" + key + "\": " + last_line(outcome.out));
 }
 
 void sign(const std::filesystem::path& file, const std::string& key) {
   const std::string beside = signature_file(file).string() + ".part";
-  const Outcome outcome = gpg("--yes --local-user " + shell_quoted(key) + " --detach-sign --armor --output " +
-                              shell_quoted(beside) + " -- " + shell_quoted(file.string()));
+  const Outcome outcome = gpg("--yes --local-user " + host::shell_quoted(key) + " --detach-sign --armor --output " +
+                              host::shell_quoted(beside) + " -- " + host::shell_quoted(file.string()));
   std::error_code error;
   if (outcome.status == 0) std::filesystem::rename(beside, signature_file(file), error);
   if (outcome.status == 0 && !error) return;
@@ -77,8 +77,8 @@ Signature check_signature(const std::filesystem::path& file) {
   Signature signature;
   signature.there = std::filesystem::exists(signature_file(file));
   if (!signature.there) return signature;
-  const Outcome outcome = gpg("--status-fd 1 --verify -- " + shell_quoted(signature_file(file).string()) + " " +
-                              shell_quoted(file.string()));
+  const Outcome outcome = gpg("--status-fd 1 --verify -- " + host::shell_quoted(signature_file(file).string()) + " " +
+                              host::shell_quoted(file.string()));
   bool good = false;
   bool valid = false;
   const std::string signer = status_of(outcome.out, "GOODSIG", good);

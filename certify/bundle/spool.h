@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "corpus/sha256.h"
+#include "host/sha256.h"
 
 namespace toolcomp::certify::bundle {
 
@@ -37,7 +37,7 @@ class Spool {
     void operator()(std::FILE* file) const noexcept { static_cast<void>(std::fclose(file)); }
   };
   std::unique_ptr<std::FILE, Close> file_;
-  corpus::Sha256 digest_;
+  host::Sha256 digest_;
   std::uint64_t size_ = 0;
   std::string buffer_;
   std::size_t at_ = 0;  // in buffer_, of next_line

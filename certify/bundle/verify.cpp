@@ -22,7 +22,7 @@
 #include "certify/event_fields.h"
 #include "certify/report.h"
 #include "corpus/manifest.h"
-#include "corpus/sha256.h"
+#include "host/sha256.h"
 #include "spec/language/case_format.h"
 #include "spec/language/input_error.h"
 #include "spec/language/known.h"
@@ -137,7 +137,7 @@ class Verifying {
       return;
     }
     if (manifest == bundle_->files.end()) throw Refused(std::string(kCorpus) + ": is missing");
-    expect_same(std::string(kCorpus) + ": its SHA-256", corpus::sha256(manifest->second), identity.at("corpus_sha256"));
+    expect_same(std::string(kCorpus) + ": its SHA-256", host::sha256(manifest->second), identity.at("corpus_sha256"));
     const corpus::Manifest here = corpus::read_manifest(options_.corpus);
     if (identity.at("corpus_sha256") != here.hash || result_.corpus != here.version)
       throw Refused(fmt::format("corpus: the certificate used {} ({}), and this corpus is {} ({})", result_.corpus,
@@ -276,7 +276,7 @@ class Verifying {
         answer.result = record.fault.value();
       else
         answer = read_answer(capabilities, c, lines.answer);
-      const fuzz::ModelRun run = fuzz::run_model(c);
+      const judge::ModelRun run = judge::run_model(c);
       Record again;
       again.asked = true;
       again.result = asked_and_judged(c, record.result.origin, run, answer, judge_answer(capabilities, c, run, answer));

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "fuzz/oracle/number.h"
+#include "judge/oracle/number.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/fanuc/program_reader.h"
 
@@ -90,12 +90,12 @@ Called called(const spec::Case& c) {
 }
 
 std::string total(const spec::OffsetEntry& entry) {
-  return fmt::format("{:.9g}", fuzz::approximate(entry.geometry) + fuzz::approximate(entry.wear));
+  return fmt::format("{:.9g}", judge::approximate(entry.geometry) + judge::approximate(entry.wear));
 }
 
 // To the last digit that a setup may have in any increment system.
 spec::Decimal sum(const spec::Decimal& value, double by) {
-  return spec::parse_decimal(fmt::format("{:.6f}", fuzz::approximate(value) + by)).value_or(value);
+  return spec::parse_decimal(fmt::format("{:.6f}", judge::approximate(value) + by)).value_or(value);
 }
 
 spec::Case with(const spec::Case& c, Offsets spec::Setup::* table, std::uint32_t n, const spec::OffsetEntry& entry) {

@@ -8,7 +8,7 @@
 #include "certify/convert.h"
 #include "certify/trace/blocks.h"
 #include "certify/trace/metric.h"
-#include "fuzz/oracle/number.h"
+#include "judge/oracle/number.h"
 #include "model/fanuc/program/motion.h"
 
 namespace toolcomp::certify {
@@ -19,7 +19,7 @@ class Programmed : public model::EventSink, public model::MotionSink {
   Programmed(const spec::Case& c, const TraceSpace& space, PathFrame frame) : space_(space), frame_(frame) {
     for (const auto& [letter, start] : c.setup.position)
       if (const std::size_t axis = c.setup.axes.index(letter); axis != spec::Axes::kNone)
-        at_.at(axis) = fuzz::approximate(start);
+        at_.at(axis) = judge::approximate(start);
   }
 
   // Nothing where the model could not decide, or tool center point control was never in force.

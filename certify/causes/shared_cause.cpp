@@ -19,7 +19,7 @@
 #include "certify/event_values.h"
 #include "certify/evidence.h"
 #include "fuzz/gen/generator.h"
-#include "fuzz/oracle/policy.h"
+#include "judge/oracle/policy.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -32,7 +32,7 @@ struct Seen {
   bool fault = false;     // there are no events that came
 
   [[nodiscard]] bool same(double a, double b) const {
-    return std::fabs(a - b) <= resolution + fuzz::policy::kSameForCause * std::max({1.0, std::fabs(a), std::fabs(b)});
+    return std::fabs(a - b) <= resolution + judge::policy::kSameForCause * std::max({1.0, std::fabs(a), std::fabs(b)});
   }
 };
 
@@ -64,7 +64,7 @@ std::string factor_words(double factor) {
   constexpr double kInch = 25.4;
   constexpr double kDegree = std::numbers::pi / 180;
   const auto same = [factor](double other) {
-    return std::fabs(factor - other) <= fuzz::policy::kSameForCause * std::fabs(other);
+    return std::fabs(factor - other) <= judge::policy::kSameForCause * std::fabs(other);
   };
   if (same(-1)) return "has the opposite sign";
   if (same(kInch)) return "is in millimetres instead of inches (× 25.4)";
@@ -114,12 +114,12 @@ void add_constants_and_factors(const Seen& seen, Hypotheses& out) {
 
 // The numbers of the part lie on the grid of 1/scale, no farther off than the rounding brings them, and all others are
 // as expected. A number that is on the edge of its cell but for the last bit may go either way.
-bool is_rounded(const Seen& seen, const ValuePart& part, fuzz::Rounding how, double scale) {
+bool is_rounded(const Seen& seen, const ValuePart& part, judge::Rounding how, double scale) {
   return seen.pairs && std::ranges::all_of(*seen.pairs, [&](const ValuePair& pair) {
            const double exact = pair.expected.number;
            if (!part.has(pair.expected)) return seen.same(pair.actual, exact);
            const double off = pair.actual - exact;
-           const double granted = fuzz::rounded_off(how, 1 / scale, exact, off);
+           const double granted = judge::rounded_off(how, 1 / scale, exact, off);
            return seen.same(pair.actual, std::round(pair.actual * scale) / scale) &&
                   (std::fabs(off) <= granted || seen.same(std::fabs(off), granted));
          });
@@ -130,11 +130,11 @@ void add_grids(const Seen& seen, Hypotheses& out) {
   constexpr int kFinest = 8;
   struct Rounding {
     const char* words;
-    fuzz::Rounding how;
+    judge::Rounding how;
   };
-  static constexpr std::array<Rounding, 3> kRoundings{{{"to nearest", fuzz::Rounding::nearest},
-                                                       {"down", fuzz::Rounding::down},
-                                                       {"toward zero", fuzz::Rounding::toward_zero}}};
+  static constexpr std::array<Rounding, 3> kRoundings{{{"to nearest", judge::Rounding::nearest},
+                                                       {"down", judge::Rounding::down},
+                                                       {"toward zero", judge::Rounding::toward_zero}}};
   if (!seen.pairs) return;
   static const std::array kParts{ValuePart{"numbers", [](const EventValue&) { return true; }},
                                  ValuePart{"positions", [](const EventValue& v) { return is_position(v.field); }}};
@@ -197,7 +197,7 @@ bool came(const Seen& seen, const Events& events, const spec::Axes& axes) {
 bool came(const Seen& seen, const spec::Case& c) {
   if (seen.fault) return false;
   try {
-    return came(seen, in_doubles(fuzz::run_model(c).events), c.setup.axes);
+    return came(seen, in_doubles(judge::run_model(c).events), c.setup.axes);
   } catch (const std::exception&) {
     return false;
   }

@@ -37,7 +37,7 @@ std::string voice_text(const VoiceRow& voice) {
 
 }  // namespace
 
-std::size_t OutcomeWindow::fresh(const std::string& target, std::size_t outcomes, Clock::time_point now) {
+std::size_t OutcomeWindow::fresh(const std::string& target, std::size_t outcomes, host::Clock::time_point now) {
   std::deque<Count>& counts = counts_[target];
   if (counts.empty() || counts.back().outcomes != outcomes) counts.push_back({now, outcomes});
   // The last count before the window stays: what is new is counted from it.

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "certify/fuzzing/third_voice.h"
-#include "certify/process.h"
+#include "host/process.h"
 
 namespace toolcomp::certify::fuzzing {
 
@@ -51,11 +51,11 @@ class OutcomeWindow {
   static constexpr std::chrono::seconds kLength{60};
   // Takes the current number of outcomes. Returns how many more these are than one window ago, or than at the first
   // call.
-  std::size_t fresh(const std::string& target, std::size_t outcomes, Clock::time_point now);
+  std::size_t fresh(const std::string& target, std::size_t outcomes, host::Clock::time_point now);
 
  private:
   struct Count {
-    Clock::time_point at;
+    host::Clock::time_point at;
     std::size_t outcomes = 0;
   };
   std::map<std::string, std::deque<Count>> counts_;

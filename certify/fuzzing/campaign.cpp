@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "certify/fuzzing/campaign.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <memory>
 #include <thread>
 #include <utility>
 
 #include "certify/fuzzing/third_voice.h"
 #include "certify/running_mark.h"
-#include "formal/engine.h"
 #include "fuzz/campaign/diary.h"
+#include "host/date.h"
+#include "spec_engine/engine.h"
 
 namespace toolcomp::certify::fuzzing {
 namespace {
@@ -49,9 +48,9 @@ fuzz::Counters so_far(const Worker& worker) {
   return counters;
 }
 
-class Hunt {
+class Campaign {
  public:
-  explicit Hunt(const CampaignOptions& options)
+  explicit Campaign(const CampaignOptions& options)
       : options_(options),
         folder_(options.folder),
         mark_(options.folder, options.bench.controller),
@@ -87,7 +86,7 @@ class Hunt {
   }
 
  private:
-  [[nodiscard]] double seconds() const { return std::chrono::duration<double>(Clock::now() - begun_).count(); }
+  [[nodiscard]] double seconds() const { return std::chrono::duration<double>(host::Clock::now() - begun_).count(); }
   [[nodiscard]] bool stopped() const { return options_.stop && options_.stop(); }
 
   void take_up() {
@@ -95,7 +94,7 @@ class Hunt {
     if (earlier) {
       state_ = std::move(*earlier);
     } else {
-      state_.begun = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+      state_.begun = host::time_of_now();
       state_.seed = options_.seed;
     }
     ++state_.starts;
@@ -121,7 +120,8 @@ class Hunt {
 
   // Where every target runs once, it comes when all are done, and has what they kept.
   [[nodiscard]] bool third_waits() const {
-    if (!options_.specification || !formal::available() || third_ || third_failures_ >= kMostFailures) return false;
+    if (!options_.specification || !spec_engine::available() || third_ || third_failures_ >= kMostFailures)
+      return false;
     return options_.runs > 0 ? all_done() && !third_done_ : !options_.seconds || left() > 0;
   }
 
@@ -211,7 +211,7 @@ class Hunt {
     if (third_ && !third_->goes_on(kLook / 4)) close_third();
     if (workers_.empty()) std::this_thread::sleep_for(kLook);
     settle_step();
-    if (Clock::now() - saved_ < kSave) return;
+    if (host::Clock::now() - saved_ < kSave) return;
     if (third_) folder_.take_sightings(third_->slice().number);
     for (const auto& worker : workers_) folder_.take_sightings(worker->slice().number);
     save();
@@ -255,7 +255,7 @@ class Hunt {
     while (!stopped() && (settler_.busy() || !folder_.waiting().empty())) {
       settle_step();
       std::this_thread::sleep_for(kLook / 4);
-      if (Clock::now() - saved_ < kSave) continue;
+      if (host::Clock::now() - saved_ < kSave) continue;
       save();
       show("settling");
     }
@@ -270,7 +270,7 @@ class Hunt {
   }
 
   void save() {
-    const Clock::time_point now = Clock::now();
+    const host::Clock::time_point now = host::Clock::now();
     state_.milliseconds +=
         static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::milliseconds>(now - counted_).count());
     counted_ = saved_ = now;
@@ -302,7 +302,7 @@ class Hunt {
     view.waiting = folder_.waiting().size();
     view.state = what;
     for (BoardRow& row : view.rows) {
-      row.fresh = window_.fresh(row.target, row.outcomes, Clock::now());
+      row.fresh = window_.fresh(row.target, row.outcomes, host::Clock::now());
       for (const auto& worker : workers_) row.workers += worker->slice().target->name == row.target ? 1 : 0;
     }
     options_.show(view);
@@ -329,14 +329,14 @@ class Hunt {
   unsigned third_failures_ = 0;
   bool third_done_ = false;  // with runs: it has begun
   OutcomeWindow window_;
-  Clock::time_point begun_ = Clock::now();
-  Clock::time_point counted_ = begun_;
-  Clock::time_point saved_ = begun_;
+  host::Clock::time_point begun_ = host::Clock::now();
+  host::Clock::time_point counted_ = begun_;
+  host::Clock::time_point saved_ = begun_;
 };
 
 }  // namespace
 
-CampaignEnd run_campaign(const CampaignOptions& options) { return Hunt(options).run(); }
+CampaignEnd run_campaign(const CampaignOptions& options) { return Campaign(options).run(); }
 
 BoardView view_of(const State& state, const std::vector<const fuzz::Target*>& targets) {
   BoardView view;
@@ -349,7 +349,7 @@ BoardView view_of(const State& state, const std::vector<const fuzz::Target*>& ta
 }
 
 std::string silence(const CampaignOptions& options) {
-  if (!options.specification || formal::available()) return {};
+  if (!options.specification || spec_engine::available()) return {};
   return "not built in (TOOLCOMP_FORMAL; needs Coq and OCaml)";
 }
 

@@ -18,12 +18,12 @@
 #include "certify/sort_by.h"
 #include "fast/basis/print.h"
 #include "fuzz/campaign/diary.h"
-#include "fuzz/oracle/verdict.h"
+#include "host/file_writer.h"
+#include "judge/oracle/verdict.h"
 #include "model/basis/print.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/case_format.h"
 #include "spec/language/event_json.h"
-#include "spec/language/file_writer.h"
 
 namespace toolcomp::certify::fuzzing {
 namespace {
@@ -57,7 +57,7 @@ std::string words_on(const model::Decision& d) {
 }
 
 // The decisions at the first divergence: those by its clause, else those of its block, the nearest to a tie first.
-std::string margins(const Finding& finding, const fuzz::ModelRun& run) {
+std::string margins(const Finding& finding, const judge::ModelRun& run) {
   std::vector<const model::Decision*> at;
   const auto choose = [&](auto wanted) {
     if (!at.empty()) return;
@@ -69,7 +69,7 @@ std::string margins(const Finding& finding, const fuzz::ModelRun& run) {
   choose(by_clause);
   choose([&](const model::Decision& d) { return d.line == finding.line; });
   if (at.empty()) return "no sign of a number was decided there\n";
-  sort_by(at, [](const model::Decision* d) { return fuzz::margin(*d); });
+  sort_by(at, [](const model::Decision* d) { return judge::margin(*d); });
   constexpr std::size_t kMost = 3;
   std::string text = at.size() > kMost ? fmt::format("the nearest {} of {} decisions there:\n", kMost, at.size())
                                        : "decisions there:\n";
@@ -87,7 +87,7 @@ std::string lines(const std::vector<spec::Event<Number>>& events, const spec::Ax
   return out;
 }
 
-std::string exact_events(const fuzz::ModelRun& run, const spec::Axes& axes) {
+std::string exact_events(const judge::ModelRun& run, const spec::Axes& axes) {
   return lines(run.events, axes, [](std::string& out, const exact::Real& value) {
     try {
       model::append_number(out, value, kDigits);
@@ -157,8 +157,8 @@ bool write_reader(const Dossier& dossier, const fs::path& folder, const fs::path
     const std::string kept = spec::read_file(input.string());
     if (std::pair(kept.size(), kept) <= std::pair(f.smallest.program.size(), f.smallest.program)) return false;
   }
-  spec::write_file(part / "input", f.smallest.program);
-  spec::write_file(part / "finding.txt",
+  host::write_file(part / "input", f.smallest.program);
+  host::write_file(part / "finding.txt",
                    fmt::format("{} at an input of {}{}{}\n\nfound by  {}\nrepeat    build/fuzz/{} input\n", f.key.kind,
                                f.target, f.key.clause.empty() ? "" : ", ", f.key.clause, f.target, f.target));
   put_in_place(part, folder);
@@ -231,24 +231,24 @@ bool write_dossier(const Dossier& dossier, const fs::path& folder) {
   const bool fresh = !fs::exists(folder / "finding.json");
   if (!fresh && stays(folder / "finding.json", f)) return false;
   const spec::Axes& axes = f.smallest.setup.axes;
-  spec::write_file(part / "case.json", spec::write_case(f.smallest));
+  host::write_file(part / "case.json", spec::write_case(f.smallest));
   std::string margin = "not examined\n";
   if (dossier.stage != Stage::seen) {
-    const fuzz::ModelRun run = fuzz::run_model(f.smallest);
+    const judge::ModelRun run = judge::run_model(f.smallest);
     margin = margins(f, run);
-    spec::write_file(part / "expected.jsonl", exact_events(run, axes));
+    host::write_file(part / "expected.jsonl", exact_events(run, axes));
   }
-  spec::write_file(part / "actual.jsonl", lines(f.actual_events, axes, [](std::string& out, double value) {
+  host::write_file(part / "actual.jsonl", lines(f.actual_events, axes, [](std::string& out, double value) {
                      fast::append_number(out, value);
                    }));
   if (!f.expected_events.empty()) {
     PathOptions options = path_options(f.smallest);
     options.other = f.actual_events;
     options.marked = f.event;
-    spec::write_file(part / "picture.svg", path_svg(f.expected_events, axes, options));
+    host::write_file(part / "picture.svg", path_svg(f.expected_events, axes, options));
   }
-  spec::write_file(part / "finding.txt", story(dossier, margin));
-  spec::write_file(part / "finding.json", write_finding(f));
+  host::write_file(part / "finding.txt", story(dossier, margin));
+  host::write_file(part / "finding.json", write_finding(f));
   put_in_place(part, folder);
   return fresh;
 }

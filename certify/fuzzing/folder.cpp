@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "certify/fuzzing/folder.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 #include <fstream>
 #include <utility>
 
@@ -13,8 +11,9 @@
 #include "certify/fuzzing/worker.h"
 #include "fuzz/campaign/black_box.h"
 #include "fuzz/campaign/diary.h"
+#include "host/date.h"
+#include "host/file_writer.h"
 #include "spec/language/byte_source.h"
-#include "spec/language/file_writer.h"
 
 namespace toolcomp::certify::fuzzing {
 namespace {
@@ -76,12 +75,11 @@ std::optional<State> Folder::load() const {
 }
 
 void Folder::save(const State& state, const std::vector<Running>& running) const {
-  spec::write_file(root_ / "state.json", write_state(state, running));
+  host::write_file(root_ / "state.json", write_state(state, running));
 }
 
 void Folder::log(const std::string& line) const {
-  std::ofstream(root_ / "log", std::ios::app)
-      << fmt::format("{:%Y-%m-%dT%H:%M:%SZ} {}\n", fmt::gmtime(std::time(nullptr)), line);
+  std::ofstream(root_ / "log", std::ios::app) << host::time_of_now() << ' ' << line << '\n';
 }
 
 void Folder::take_sightings(std::uint64_t slice) const {
@@ -103,7 +101,7 @@ void Folder::take_sightings(std::uint64_t slice) const {
       const std::size_t end = std::min(kept.find('\n'), kept.size());
       const std::string text = kept.substr(std::min(end + 1, kept.size()));
       const fs::path file = sightings() / (prefix + kept.substr(0, end));
-      if (!fs::exists(file)) spec::write_file(file, text);
+      if (!fs::exists(file)) host::write_file(file, text);
     }
 }
 

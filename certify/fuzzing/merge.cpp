@@ -9,10 +9,10 @@
 #include "certify/finding.h"
 #include "certify/fuzzing/dossier.h"
 #include "certify/fuzzing/folder.h"
-#include "certify/process.h"
 #include "fuzz/campaign/diary.h"
+#include "host/file_writer.h"
+#include "host/process.h"
 #include "spec/language/byte_source.h"
-#include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::certify::fuzzing {
@@ -34,7 +34,7 @@ void take_file(const fs::path& from, const fs::path& to) {
   const std::string bytes = spec::read_file(from.string());
   fs::path file = to / from.filename();
   if (fs::exists(file) && spec::read_file(file.string()) != bytes) file = to / fuzz::digest(bytes);
-  spec::write_file(file, bytes);
+  host::write_file(file, bytes);
 }
 
 // By name alone what is the same input: two campaigns name it alike.
@@ -42,7 +42,7 @@ void take_corpus(const fs::path& from, const fs::path& to) {
   for (const fs::path& target : entries(from))
     for (const fs::path& file : entries(target)) {
       const std::string bytes = spec::read_file(file.string());
-      spec::write_file(to / target.filename() / fuzz::digest(bytes), bytes);
+      host::write_file(to / target.filename() / fuzz::digest(bytes), bytes);
     }
 }
 
@@ -82,7 +82,7 @@ void take_sightings(const Folder& from, const Folder& to) {
     const std::string name = sighting.file.filename().string();
     const std::string bytes = spec::read_file(sighting.file.string());
     const std::size_t last = name.rfind("--");
-    spec::write_file(to.sightings() / fmt::format("00000000--{}--{}{}", sighting.target, fuzz::digest(bytes),
+    host::write_file(to.sightings() / fmt::format("00000000--{}--{}{}", sighting.target, fuzz::digest(bytes),
                                                   name.substr(std::min(name.find('.', last), name.size()))),
                      bytes);
   }

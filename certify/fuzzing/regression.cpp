@@ -7,8 +7,8 @@
 #include "fuzz/campaign/diary.h"
 #include "fuzz/campaign/target.h"
 #include "fuzz/gen/encode.h"
+#include "host/file_writer.h"
 #include "spec/language/byte_source.h"
-#include "spec/language/file_writer.h"
 
 namespace toolcomp::certify::fuzzing {
 
@@ -33,7 +33,7 @@ void write_regression_inputs(const fs::path& folder, const fs::path& inputs) {
     for (const fuzz::Target& target : fuzz::targets())
       if (target.section == c.section) {
         const std::string bytes = fuzz::encode(c);
-        spec::write_file(inputs / target.seeds / fuzz::digest(bytes), bytes);
+        host::write_file(inputs / target.seeds / fuzz::digest(bytes), bytes);
       }
 }
 

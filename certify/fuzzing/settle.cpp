@@ -5,12 +5,12 @@
 
 #include "certify/evidence.h"
 #include "certify/fuzzing/shape.h"
-#include "certify/process.h"
 #include "certify/shrink.h"
 #include "certify/voices.h"
 #include "fuzz/campaign/diary.h"
 #include "fuzz/campaign/target.h"
 #include "fuzz/gen/encode.h"
+#include "host/process.h"
 #include "spec/language/byte_source.h"
 
 namespace toolcomp::certify::fuzzing {
@@ -20,7 +20,7 @@ namespace {
 bool ends_processes(const std::string& kind) { return kind == "crash" || kind == "hang" || kind == "out of memory"; }
 
 std::string this_engine(const std::string& name) {
-  return shell_quoted(std::filesystem::read_symlink("/proc/self/exe").string()) + " serve --engine " + name;
+  return host::shell_quoted(std::filesystem::read_symlink("/proc/self/exe").string()) + " serve --engine " + name;
 }
 
 std::unique_ptr<Subject> subject_for(const Finding& seen, const SettleOptions& options) {
@@ -71,7 +71,7 @@ std::string core_of(Subject& subject, const Capabilities& capabilities, const Fi
   const auto differs = [&](const spec::Case& c) {
     if (options.stop && options.stop()) return false;
     try {
-      const fuzz::ModelRun run = fuzz::run_model(c);
+      const judge::ModelRun run = judge::run_model(c);
       if (!capabilities.fields.empty() && !why_not_applicable(capabilities, c).empty()) return false;
       const Answer answer = subject.run(c, short_patience(subject, options.timeout));
       const Judgement judgement = judge_answer(capabilities, c, run, answer);
@@ -88,7 +88,7 @@ std::string core_of(Subject& subject, const Capabilities& capabilities, const Fi
 Dossier undecided(const Finding& seen) {
   // A controller's answer to it is not asked for again.
   if (!seen.controller.empty()) return as_it_was(seen, Stage::seen, "a controller is not asked again");
-  const fuzz::ModelRun run = fuzz::run_model(seen.smallest);
+  const judge::ModelRun run = judge::run_model(seen.smallest);
   const auto engine = built_in_engine();
   const auto able = std::get<Capabilities>(engine->capabilities());
   const Judgement judgement = judge_case(*engine, able, seen.smallest, run);
@@ -106,7 +106,7 @@ Dossier settle(const Finding& seen, const SettleOptions& options) {
     const auto subject = subject_for(seen, options);
     const auto said = subject->capabilities();
     const auto* const able = std::get_if<Capabilities>(&said);
-    const fuzz::ModelRun run = fuzz::run_model(seen.smallest);
+    const judge::ModelRun run = judge::run_model(seen.smallest);
     const Capabilities capabilities = able != nullptr ? *able : Capabilities{};
     Answer answer = ask_fresh(*subject, seen.before, seen.smallest);
     const Judgement judgement = judge_answer(capabilities, seen.smallest, run, answer);

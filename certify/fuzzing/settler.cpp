@@ -6,7 +6,7 @@
 #include <array>
 
 #include "fuzz/campaign/diary.h"
-#include "spec/language/file_writer.h"
+#include "host/file_writer.h"
 
 namespace toolcomp::certify::fuzzing {
 namespace {
@@ -76,9 +76,9 @@ void Settler::step(State& state, const std::function<void(const Settled&)>& on_s
   }
   std::string line;
   constexpr std::size_t kLongest = 1 << 16;
-  const Exchange heard = process_->receive_line(line, Clock::now() + kLook, kLongest);
-  if (heard == Exchange::timed_out && Clock::now() - begun_ < kPatience) return;
-  const auto settled = heard == Exchange::line ? read_settled(line) : std::nullopt;
+  const host::Exchange heard = process_->receive_line(line, host::Clock::now() + kLook, kLongest);
+  if (heard == host::Exchange::timed_out && host::Clock::now() - begun_ < kPatience) return;
+  const auto settled = heard == host::Exchange::line ? read_settled(line) : std::nullopt;
   const std::string how = process_->finish(std::chrono::milliseconds(settled ? 2000 : 0));
   const std::string errors = process_->errors();
   const int status = process_->exit_status();
@@ -98,8 +98,8 @@ void Settler::step(State& state, const std::function<void(const Settled&)>& on_s
     return;
   }
   // It stays where it is: the next step keeps it as it was seen.
-  failed_ = heard == Exchange::timed_out ? fmt::format("examining it took more than {} s", kPatience.count())
-                                         : "examining it ended with " + how;
+  failed_ = heard == host::Exchange::timed_out ? fmt::format("examining it took more than {} s", kPatience.count())
+                                               : "examining it ended with " + how;
 }
 
 void Settler::begin() {
@@ -121,14 +121,15 @@ void Settler::begin() {
       return;
     }
   }
-  std::string line = fmt::format("exec {} fuzz-settle --campaign {} --target {} --timeout {} {}",
-                                 shell_quoted(program_.string()), shell_quoted(fs::absolute(folder_.root()).string()),
-                                 at_.target, timeout_, shell_quoted(fs::absolute(at_.file).string()));
+  std::string line =
+      fmt::format("exec {} fuzz-settle --campaign {} --target {} --timeout {} {}",
+                  host::shell_quoted(program_.string()), host::shell_quoted(fs::absolute(folder_.root()).string()),
+                  at_.target, timeout_, host::shell_quoted(fs::absolute(at_.file).string()));
   as_seen_ = !failed_.empty();
-  if (as_seen_) line += " --as-seen " + shell_quoted(failed_);
+  if (as_seen_) line += " --as-seen " + host::shell_quoted(failed_);
   failed_.clear();
-  begun_ = Clock::now();
-  process_ = std::make_unique<Process>(line);
+  begun_ = host::Clock::now();
+  process_ = std::make_unique<host::Process>(line);
 }
 
 void Settler::done(State& state, const Settled& settled, const std::function<void(const Settled&)>& on_settled) {

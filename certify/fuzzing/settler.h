@@ -14,7 +14,7 @@
 
 #include "certify/fuzzing/folder.h"
 #include "certify/fuzzing/settle.h"
-#include "certify/process.h"
+#include "host/process.h"
 
 namespace toolcomp::certify::fuzzing {
 
@@ -57,9 +57,9 @@ class Settler {
   double timeout_;
   std::function<bool()> stopped_;
   std::map<std::string, std::uint64_t> looked_;  // sightings by group, since this start
-  std::unique_ptr<Process> process_;
+  std::unique_ptr<host::Process> process_;
   Folder::Sighting at_;
-  Clock::time_point begun_;
+  host::Clock::time_point begun_;
   bool as_seen_ = false;
   bool everywhere_ = false;
   std::string failed_;  // why examining it was given up; then it is kept as it was seen

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "certify/fuzzing/third_voice.h"
-#include "formal/engine.h"
 #include "fuzz/campaign/floors.h"
 #include "spec/language/split.h"
+#include "spec_engine/engine.h"
 
 namespace toolcomp::certify::fuzzing {
 namespace {
@@ -93,8 +93,8 @@ std::string left_out(const fuzz::Counters& sum) {
   const auto add = [&text](std::uint64_t count, std::string_view what) {
     if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, what);
   };
-  for (std::size_t i = 1; i < fuzz::kAcceptances; ++i)
-    add(sum.acceptance.at(i), fuzz::name(static_cast<fuzz::Acceptance>(i)));
+  for (std::size_t i = 1; i < judge::kAcceptances; ++i)
+    add(sum.acceptance.at(i), judge::name(static_cast<judge::Acceptance>(i)));
   add(sum.wide, "values not judged");
   add(sum.out_of_scope, "events out of scope");
   return text.empty() ? text : "    not accepted or not judged: " + text + "\n";
@@ -103,8 +103,8 @@ std::string left_out(const fuzz::Counters& sum) {
 // By reason.
 Json not_accepted(const fuzz::Counters& sum) {
   Json json = Json::object();
-  for (std::size_t i = 1; i < fuzz::kAcceptances; ++i)
-    json[std::string(fuzz::name(static_cast<fuzz::Acceptance>(i)))] = sum.acceptance.at(i);
+  for (std::size_t i = 1; i < judge::kAcceptances; ++i)
+    json[std::string(judge::name(static_cast<judge::Acceptance>(i)))] = sum.acceptance.at(i);
   return json;
 }
 
@@ -277,8 +277,8 @@ std::string summary_json(const CampaignOptions& options, const CampaignEnd& end,
                                 {"seeded_faults_within_budget", faults.within}});
   }
   const VoiceCount voice = voice_count(state.specification);
-  json["specification"] = {{"asked", options.specification && formal::available()},
-                           {"built_in", formal::available()},
+  json["specification"] = {{"asked", options.specification && spec_engine::available()},
+                           {"built_in", spec_engine::available()},
                            {"cases", voice.cases},
                            {"per_second", voice.per_second},
                            {"agreed", voice.agreed},

@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-using fuzz::Acceptance;
+using judge::Acceptance;
 
 // Between two looks for what a target's workers have kept.
 constexpr std::chrono::seconds kLook{1};
@@ -135,13 +135,13 @@ class ThirdVoice {
 
   // Nothing where the model says nothing: what it is then is said by the acceptance.
   std::optional<Judgement> judged(const spec::Case& c, Acceptance& acceptance) {
-    fuzz::ModelRun run;
+    judge::ModelRun run;
     try {
       if (fuzz::repeats_much(c)) {
         acceptance = Acceptance::too_long;
         return std::nullopt;
       }
-      run = fuzz::run_model(c);
+      run = judge::run_model(c);
     } catch (const spec::InputError&) {
       acceptance = Acceptance::no_setup;
       return std::nullopt;

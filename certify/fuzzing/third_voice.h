@@ -26,7 +26,7 @@ struct ThirdVoiceOptions {
   std::uint64_t seconds = 0;  // 0: run all kept inputs, and no others
 };
 
-// To be called in a separate process, from one thread. Returns the exit status. Requires formal::available().
+// To be called in a separate process, from one thread. Returns the exit status. Requires spec_engine::available().
 int run_third_voice(const ThirdVoiceOptions& options);
 
 // The finding for an input that ended this process.

@@ -9,8 +9,8 @@
 #include "certify/fuzzing/third_voice.h"
 #include "fuzz/campaign/black_box.h"
 #include "fuzz/campaign/diary.h"
+#include "host/file_writer.h"
 #include "spec/language/byte_source.h"
-#include "spec/language/file_writer.h"
 
 namespace toolcomp::certify::fuzzing {
 namespace {
@@ -29,17 +29,17 @@ constexpr const char* kSchedule = "-entropic=0";
 constexpr std::chrono::milliseconds kLook{250};
 constexpr const char* kKilled = "killed by signal 9";
 
-std::string word(const fs::path& path) { return ' ' + shell_quoted(fs::absolute(path).string()); }
+std::string word(const fs::path& path) { return ' ' + host::shell_quoted(fs::absolute(path).string()); }
 
 std::string libfuzzer(const Bench& bench, const Slice& slice, const fs::path& folder, const fs::path& corpus) {
   const fuzz::Target& target = *slice.target;
   std::string line =
       fmt::format("TOOLCOMP_FUZZ_WORK={} TOOLCOMP_FUZZ_SEED={}{} -seed={} -verbosity=0 -max_len=16384 {}",
-                  shell_quoted(fs::absolute(folder).string()), slice.seed, word(bench.targets / target.name),
+                  host::shell_quoted(fs::absolute(folder).string()), slice.seed, word(bench.targets / target.name),
                   slice.seed, kSchedule);
   line += slice.runs > 0 ? fmt::format(" -runs={}", slice.runs) : fmt::format(" -max_total_time={}", slice.seconds);
   line += fmt::format(" -timeout={} -artifact_prefix={}", bench.patience.count() / 2,
-                      shell_quoted(fs::absolute(folder).string() + "/"));
+                      host::shell_quoted(fs::absolute(folder).string() + "/"));
   line += word(corpus);
   for (const fs::path& inputs : bench.inputs)
     if (fs::is_directory(inputs / target.seeds)) line += word(inputs / target.seeds);
@@ -54,7 +54,7 @@ std::string built_in(const Bench& bench, const Slice& slice, const fs::path& fol
   for (const fs::path& inputs : bench.inputs)
     if (fs::is_directory(inputs / target.seeds)) line += " --inputs" + word(inputs / target.seeds);
   if (!bench.controller.empty())
-    line += fmt::format(" --timeout {} --controller {}", bench.timeout, shell_quoted(bench.controller));
+    line += fmt::format(" --timeout {} --controller {}", bench.timeout, host::shell_quoted(bench.controller));
   return line;
 }
 
@@ -76,7 +76,7 @@ std::string script(const std::string& worker) {
 std::string prepared(const Bench& bench, const Slice& slice, const fs::path& folder, const fs::path& corpus) {
   fs::create_directories(folder / fuzz::Diary::kFindings);
   fs::create_directories(corpus);
-  spec::write_file(folder / "target", slice.target->name + "\n");
+  host::write_file(folder / "target", slice.target->name + "\n");
   if (slice.target == &third_voice()) return script(specification(bench, slice, folder, corpus));
   return script(bench.has_clang(*slice.target) ? libfuzzer(bench, slice, folder, corpus)
                                                : built_in(bench, slice, folder, corpus));
@@ -97,11 +97,11 @@ Worker::Worker(const Bench& bench, const Slice& slice, fs::path folder, const fs
       process_(prepared(bench, slice, folder_, corpus)) {}
 
 bool Worker::goes_on(std::chrono::milliseconds wait) {
-  if (ended_ != Clock::time_point{}) return false;
+  if (ended_ != host::Clock::time_point{}) return false;
   std::string nothing;
-  const Exchange heard = process_.receive_line(nothing, Clock::now() + wait, 1024);
-  if (heard == Exchange::closed || Clock::now() - looked_ >= kLook) look();
-  if (heard == Exchange::closed) {
+  const host::Exchange heard = process_.receive_line(nothing, host::Clock::now() + wait, 1024);
+  if (heard == host::Exchange::closed || host::Clock::now() - looked_ >= kLook) look();
+  if (heard == host::Exchange::closed) {
     process_.finish(kToEnd);
     const int status = process_.exit_status();
     // Without one the shell itself was killed, and the worker with it: from outside.
@@ -115,32 +115,32 @@ bool Worker::goes_on(std::chrono::milliseconds wait) {
                                               : fmt::format("exit status {}", status));
     return false;
   }
-  if (Clock::now() - moved_ < patience_) return true;
+  if (host::Clock::now() - moved_ < patience_) return true;
   process_.finish();
   end("hang");
   return false;
 }
 
 void Worker::stop() {
-  if (ended_ != Clock::time_point{}) return;
+  if (ended_ != host::Clock::time_point{}) return;
   look();
   process_.finish();
   end("");
 }
 
 void Worker::look() {
-  looked_ = Clock::now();
+  looked_ = host::Clock::now();
   const auto box = fuzz::BlackBox::read(folder_ / fuzz::Diary::kBlackBox);
   if (!box) return;
   process_number_ = box->process;
-  if (box->executions != executions_) moved_ = Clock::now();
+  if (box->executions != executions_) moved_ = host::Clock::now();
   executions_ = box->executions;
 }
 
 // An end that libFuzzer did not see leaves no input of its own; the black box has it. A kill from outside is no fault
 // of the input.
 void Worker::end(std::string how) {
-  ended_ = Clock::now();
+  ended_ = host::Clock::now();
   how_ = std::move(how);
   const bool told = how_.empty() || how_ == "cannot write" || how_ == kKilled || how_ == "killed by signal 15";
   if (told) return;
@@ -151,16 +151,16 @@ void Worker::end(std::string how) {
   const auto box = fuzz::BlackBox::read(folder_ / fuzz::Diary::kBlackBox);
   if (!box || box->executions == 0) return;
   if (slice_.target == &third_voice()) {
-    spec::write_file(folder_ / fuzz::Diary::kFindings / (fuzz::digest(box->input) + ".json"),
+    host::write_file(folder_ / fuzz::Diary::kFindings / (fuzz::digest(box->input) + ".json"),
                      ended_at(box->input, how_ == "hang" || how_ == "out of memory" ? how_ : "crash"));
     return;
   }
   const char* const kind = how_ == "hang" ? "timeout-" : how_ == "out of memory" ? "oom-" : "crash-";
-  spec::write_file(folder_ / (kind + fuzz::digest(box->input)), box->input);
+  host::write_file(folder_ / (kind + fuzz::digest(box->input)), box->input);
 }
 
 std::uint64_t Worker::milliseconds() const {
-  const Clock::time_point until = ended_ == Clock::time_point{} ? Clock::now() : ended_;
+  const host::Clock::time_point until = ended_ == host::Clock::time_point{} ? host::Clock::now() : ended_;
   return static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::milliseconds>(until - begun_).count());
 }
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "certify/process.h"
 #include "fuzz/campaign/counters.h"
 #include "fuzz/campaign/target.h"
+#include "host/process.h"
 
 namespace toolcomp::certify::fuzzing {
 
@@ -68,14 +68,14 @@ class Worker {
   Slice slice_;
   std::filesystem::path folder_;
   std::chrono::seconds patience_;
-  Clock::time_point begun_ = Clock::now();
-  Clock::time_point ended_;
-  Clock::time_point moved_ = begun_;  // when the last execution began, as far as was checked
-  Clock::time_point looked_;
+  host::Clock::time_point begun_ = host::Clock::now();
+  host::Clock::time_point ended_;
+  host::Clock::time_point moved_ = begun_;  // when the last execution began, as far as was checked
+  host::Clock::time_point looked_;
   std::uint64_t executions_ = 0;
   std::int64_t process_number_ = 0;
   std::string how_;
-  Process process_;
+  host::Process process_;
 };
 
 // The counters that a worker wrote last to its folder, whether it is still running or not.

@@ -4,7 +4,7 @@
 #include <array>
 #include <filesystem>
 
-#include "fuzz/oracle/control.h"
+#include "judge/oracle/control.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/case_format.h"
 #include "spec/language/fanuc/program_reader.h"
@@ -79,7 +79,7 @@ void Program::take(spec::Setup setup, std::optional<std::uint32_t> samples) {
   if (samples) case_.samples = *samples;
 }
 
-fuzz::StreamedProgram Program::text() const {
+judge::StreamedProgram Program::text() const {
   return {[this] { return is_case_ ? spec::text_source(case_.program) : spec::file_source(path_); }, path_ == "-",
           spec::display_name(path_), is_case_ ? spec::CalledProgram() : called_->finder()};
 }
@@ -107,7 +107,7 @@ spec::InputError Program::placed(const spec::InputError& error) const {
 
 void expect_readable(const spec::Case& c, const std::string& name) {
   Nothing nowhere;
-  fuzz::with_control(c.setup, [&]<class Control>(Control) {
+  judge::with_control(c.setup, [&]<class Control>(Control) {
     auto engine = Control::fast(c.setup, nowhere, 0);
     auto reader = Control::reader(spec::text_source(c.program), c.setup, name);
     typename Control::Block block;

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "certify/input/called_files.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 #include "spec/language/case.h"
 #include "spec/language/input_error.h"
 
@@ -28,7 +28,7 @@ class Program {
 
   [[nodiscard]] const spec::Setup& setup() const { return case_.setup; }
   // The text, each time from the beginning; standard input can be read only once. Valid as long as this program.
-  [[nodiscard]] fuzz::StreamedProgram text() const;
+  [[nodiscard]] judge::StreamedProgram text() const;
   // The case itself, or the program as a case (the whole text is read).
   [[nodiscard]] spec::Case as_case() const;
   [[nodiscard]] const std::string& path() const { return path_; }

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "certify/input/program.h"
-#include "fuzz/oracle/control.h"
+#include "judge/oracle/control.h"
 #include "spec/language/document.h"
 #include "spec/language/setup_format.h"
 
@@ -55,7 +55,7 @@ void check_setup(const spec::Setup& setup) {
   model::Recorder recorder;
   Nothing<exact::Real> exact_sink;
   Nothing<double> fast_sink;
-  fuzz::with_control(setup, [&]<class Control>(Control) {
+  judge::with_control(setup, [&]<class Control>(Control) {
     const auto model = Control::model(setup, recorder, exact_sink, 0);
     const auto fast = Control::fast(setup, fast_sink, 0);
   });

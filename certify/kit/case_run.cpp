@@ -8,19 +8,19 @@
 #include "certify/kit/offsets.h"
 #include "certify/kit/trail.h"
 #include "corpus/vector.h"
-#include "fuzz/oracle/number.h"
+#include "judge/oracle/number.h"
 #include "model/basis/print.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::certify::kit {
 namespace {
 
-fuzz::ModelRun run_text(const spec::Setup& setup, const std::string& text, std::uint32_t samples) {
+judge::ModelRun run_text(const spec::Setup& setup, const std::string& text, std::uint32_t samples) {
   spec::Case c;
   c.setup = setup;
   c.program = text;
   c.samples = samples;
-  return fuzz::run_model(c);
+  return judge::run_model(c);
 }
 
 bool inside(const CaseLines& lines, std::uint64_t line) { return lines.first <= line && line <= lines.last; }
@@ -31,13 +31,13 @@ constexpr double kTooNear = 1.0 / 1'000'000;
 
 bool decides_near_a_tie(const model::Recorder& recorder) {
   return std::ranges::any_of(recorder.decisions(), [](const model::Decision& decision) {
-    const double margin = fuzz::margin(decision);
+    const double margin = judge::margin(decision);
     return margin != 0 && margin < kTooNear;
   });
 }
 
 // Where the axes stand at the end of a run, as text.
-std::vector<std::string> end_of(const fuzz::ModelRun& run) {
+std::vector<std::string> end_of(const judge::ModelRun& run) {
   constexpr int kDigits = 12;
   std::vector<std::string> end;
   for (const model::Event& event : run.events) {
@@ -57,7 +57,7 @@ spec::Setup program_setup(const Machine& machine, const Overlay& overlay, const 
   return setup;
 }
 
-std::string event_lines(const fuzz::ModelRun& run, const spec::Axes& axes) {
+std::string event_lines(const judge::ModelRun& run, const spec::Axes& axes) {
   std::string lines;
   for (const spec::TextEvent& event : corpus::expected_events(run)) lines += corpus::event_text(event, axes) + "\n";
   return lines;
@@ -65,12 +65,12 @@ std::string event_lines(const fuzz::ModelRun& run, const spec::Axes& axes) {
 
 CaseRunner::CaseRunner(const Machine& machine, const Outcomes& outcomes) : machine_(machine), outcomes_(outcomes) {
   const ProgramText empty = write_program(machine, kFirstProgram + 1, "", ProgramKind::recorded, {});
-  const fuzz::ModelRun run = run_text(program_setup(machine, {}, {}), empty.text, 0);
+  const judge::ModelRun run = run_text(program_setup(machine, {}, {}), empty.text, 0);
   frame_ = run.recorder;
   end_ = end_of(run);
 }
 
-std::vector<std::string> CaseRunner::events_of(const Machine& machine, const fuzz::ModelRun& run,
+std::vector<std::string> CaseRunner::events_of(const Machine& machine, const judge::ModelRun& run,
                                                const CaseLines& lines) {
   std::vector<std::string> events;
   constexpr int kDigits = 12;
@@ -87,7 +87,7 @@ std::vector<std::string> CaseRunner::events_of(const Machine& machine, const fuz
   return events;
 }
 
-std::string CaseRunner::end_of_case(const fuzz::ModelRun& run, const CaseLines& lines, CaseRun& result,
+std::string CaseRunner::end_of_case(const judge::ModelRun& run, const CaseLines& lines, CaseRun& result,
                                     bool& ending_fails) const {
   for (const model::Event& event : run.events) {
     if (event.kind != spec::EventKind::undecided && !spec::ends_run(event.kind)) continue;
@@ -102,7 +102,7 @@ std::string CaseRunner::end_of_case(const fuzz::ModelRun& run, const CaseLines& 
   return "it leaves the axes shifted";
 }
 
-std::string CaseRunner::shown(const fuzz::ModelRun& run, const CaseLines& lines, CaseRun& result) const {
+std::string CaseRunner::shown(const judge::ModelRun& run, const CaseLines& lines, CaseRun& result) const {
   if (!outside_travels(machine_, run.events).empty()) return "outside the travels";
   if (std::ranges::any_of(run.events, [](const model::Event& event) { return event.unknown != 0; }))
     return "a position is not known";
@@ -127,7 +127,7 @@ CaseRun CaseRunner::with_ending(CaseText text, const Overlay& overlay, const spe
   ending_fails = false;
   const spec::Setup setup = program_setup(machine_, overlay, offsets);
   ProgramText program = write_program(machine_, kFirstProgram + 1, "", ProgramKind::recorded, {text});
-  fuzz::ModelRun run = run_text(setup, program.text, samples);
+  judge::ModelRun run = run_text(setup, program.text, samples);
   if (!outside_travels(machine_, run.events).empty())
     if (const auto start = shifted_start(run, text.start)) {
       text.start = *start;
@@ -149,11 +149,11 @@ OutcomeSet CaseRunner::told_apart(const CaseText& text, const Overlay& overlay, 
   spec::Case c;
   c.setup = program_setup(machine_, overlay, offsets);
   c.program = write_program(machine_, kFirstProgram + 1, "", ProgramKind::recorded, {text}).text;
-  const fuzz::ModelRun run = fuzz::run_model(c);
+  const judge::ModelRun run = judge::run_model(c);
   const Trail way(run.events, tolerance);
   const auto otherwise = [&](std::size_t decision, exact::Sign sign) {
     try {
-      const fuzz::ModelRun forced = fuzz::run_model(c, {{decision, sign}});
+      const judge::ModelRun forced = judge::run_model(c, {{decision, sign}});
       const spec::EventKind last = forced.events.empty() ? spec::EventKind::alarm : forced.events.back().kind;
       return spec::ends_run(last) || last == spec::EventKind::undecided || way.differs(Trail(forced.events, tolerance));
     } catch (const model::NotFinite&) {
@@ -177,15 +177,15 @@ OutcomeSet CaseRunner::told_apart(const CaseText& text, const Overlay& overlay, 
   return told;
 }
 
-std::optional<spec::AxisTable> CaseRunner::shifted_start(const fuzz::ModelRun& run,
+std::optional<spec::AxisTable> CaseRunner::shifted_start(const judge::ModelRun& run,
                                                          const spec::AxisTable& start) const {
   spec::AxisTable shifted = start;
   bool differs = false;
   for (const auto& [axis, extent] : extents(machine_, run.events)) {
     if (!spec::is_linear_axis(axis)) continue;
     const Travel& travel = machine_.travels.at(axis);
-    const double least = fuzz::approximate(travel.least);
-    const double greatest = fuzz::approximate(travel.greatest);
+    const double least = judge::approximate(travel.least);
+    const double greatest = judge::approximate(travel.greatest);
     if (extent.least >= least && extent.greatest <= greatest) continue;
     if (extent.greatest - extent.least > greatest - least) return std::nullopt;
     const double shift = std::round((least + greatest - extent.least - extent.greatest) / 2);

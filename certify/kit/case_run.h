@@ -11,7 +11,7 @@
 #include "certify/kit/outcomes.h"
 #include "certify/kit/parameters.h"
 #include "certify/kit/program.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 
 namespace toolcomp::certify::kit {
 
@@ -36,7 +36,7 @@ struct CaseRun {
 };
 
 // The events of a run in the form of the expected events of a kit, one in each line.
-std::string event_lines(const fuzz::ModelRun& run, const spec::Axes& axes);
+std::string event_lines(const judge::ModelRun& run, const spec::Axes& axes);
 
 class CaseRunner {
  public:
@@ -53,15 +53,16 @@ class CaseRunner {
                                       const OutcomeSet& outcomes, double tolerance) const;
 
   // The events of one case of a program that was run.
-  static std::vector<std::string> events_of(const Machine& machine, const fuzz::ModelRun& run, const CaseLines& lines);
+  static std::vector<std::string> events_of(const Machine& machine, const judge::ModelRun& run, const CaseLines& lines);
 
  private:
   CaseRun with_ending(CaseText text, const Overlay& overlay, const spec::Setup& offsets, std::uint32_t samples,
                       bool& ending_fails) const;
   // Both return why the case is of no use, and fill in the rest.
-  std::string end_of_case(const fuzz::ModelRun& run, const CaseLines& lines, CaseRun& result, bool& ending_fails) const;
-  std::string shown(const fuzz::ModelRun& run, const CaseLines& lines, CaseRun& result) const;
-  [[nodiscard]] std::optional<spec::AxisTable> shifted_start(const fuzz::ModelRun& run,
+  std::string end_of_case(const judge::ModelRun& run, const CaseLines& lines, CaseRun& result,
+                          bool& ending_fails) const;
+  std::string shown(const judge::ModelRun& run, const CaseLines& lines, CaseRun& result) const;
+  [[nodiscard]] std::optional<spec::AxisTable> shifted_start(const judge::ModelRun& run,
                                                              const spec::AxisTable& start) const;
 
   const Machine& machine_;

@@ -10,8 +10,8 @@
 #include "certify/markup.h"
 #include "certify/page.h"
 #include "certify/report.h"
-#include "corpus/sha256.h"
-#include "spec/language/file_writer.h"
+#include "host/file_writer.h"
+#include "host/sha256.h"
 
 namespace toolcomp::certify::kit {
 namespace {
@@ -148,7 +148,7 @@ std::string html(const KitVerdict& verdict) {
 }  // namespace
 
 void write_certificate(const KitVerdict& verdict, const std::filesystem::path& folder) {
-  spec::write_files({{folder / "certificate.json", json_text(verdict)}, {folder / "index.html", html(verdict)}});
+  host::write_files({{folder / "certificate.json", json_text(verdict)}, {folder / "index.html", html(verdict)}});
 }
 
 }  // namespace toolcomp::certify::kit

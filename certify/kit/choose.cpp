@@ -84,7 +84,7 @@ Chooser::Chooser(const Machine& machine, const Outcomes& outcomes, const std::ve
 void Chooser::prepare(Candidate& candidate) {
   const spec::Case& vector = *candidate.vector;
   candidate.same_machine = is_same_machine(machine_.setup, vector.setup);
-  candidate.at_home = outcomes_.reached(fuzz::run_model(vector).recorder);
+  candidate.at_home = outcomes_.reached(judge::run_model(vector).recorder);
   candidate.text.id = vector.id;
   candidate.why =
       machine_.setup.control == spec::Control::fanuc ? prepare_fanuc(candidate) : prepare_klartext(candidate);

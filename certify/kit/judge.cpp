@@ -14,7 +14,7 @@
 #include "certify/sort_by.h"
 #include "certify/trace/recording.h"
 #include "certify/trace/samples.h"
-#include "fuzz/oracle/number.h"
+#include "judge/oracle/number.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/decimal_order.h"
 #include "spec/language/input_error.h"
@@ -52,7 +52,7 @@ class Judge {
     if (tolerance.negative || tolerance.is_zero()) throw spec::InputError("--tolerance", 0, 0, "must be positive");
     if (spec::compare(tolerance, verdict_.kit.tolerance) == std::strong_ordering::greater)
       throw spec::InputError("--tolerance", 0, 0, "must be at most the tolerance of the kit, " + most);
-    verdict_.tolerance = fuzz::approximate(tolerance);
+    verdict_.tolerance = judge::approximate(tolerance);
   }
 
   KitVerdict judged() {
@@ -124,7 +124,7 @@ class Judge {
     c.dialect = spec::dialect_of(c.setup.control);
     c.program = spec::read_file((options_.folder / program.file).string());
     const fs::path expected = options_.folder / program.expected;
-    if (event_lines(fuzz::run_model(c), c.setup.axes) != spec::read_file(expected.string()))
+    if (event_lines(judge::run_model(c), c.setup.axes) != spec::read_file(expected.string()))
       throw spec::InputError(expected.string(), 0, 0,
                              "is not what this version of toolcomp expects; make the kit again");
     c.program = between_rests(c.program, program.marks);

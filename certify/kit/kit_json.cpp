@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "certify/kit/marks.h"
-#include "corpus/sha256.h"
+#include "host/sha256.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/case.h"
 #include "spec/language/input_error.h"
@@ -73,7 +73,7 @@ std::string write_kit(const Kit& kit) {
   for (const KitProgram& program : kit.programs) json["programs"].push_back(json_of(program));
   for (const NotCovered& missing : kit.missing)
     json["missing"].push_back({{"outcome", missing.outcome}, {"text", missing.text}, {"why", missing.why}});
-  for (const auto& [name, text] : kit.files) json["files"][name] = corpus::sha256(text);
+  for (const auto& [name, text] : kit.files) json["files"][name] = host::sha256(text);
   return json.dump(1) + "\n";
 }
 
@@ -81,10 +81,10 @@ Kit read_kit(const std::filesystem::path& folder) {
   const std::string file = (folder / kKitFile).string();
   const std::string json = spec::read_file(file);
   Kit kit = read_kit_json(json, file);
-  kit.digest = corpus::sha256(json);
+  kit.digest = host::sha256(json);
   for (const auto& [name, digest] : kit.files) {
     const std::string path = (folder / name).string();
-    if (name != kAlarmForm && corpus::sha256_file(path) != digest)
+    if (name != kAlarmForm && host::sha256_file(path) != digest)
       throw spec::InputError(path, 0, 0, "differs from kit.json: the kit was changed");
   }
   return kit;

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "certify/convert.h"
-#include "fuzz/oracle/number.h"
+#include "judge/oracle/number.h"
 #include "spec/language/decimal_order.h"
 #include "spec/language/input_error.h"
 
@@ -18,7 +18,7 @@ namespace toolcomp::certify::kit {
 
 double value_in(const spec::AxisTable& table, char axis) {
   const auto entry = table.find(axis);
-  return entry == table.end() ? 0 : fuzz::approximate(entry->second);
+  return entry == table.end() ? 0 : judge::approximate(entry->second);
 }
 
 namespace {
@@ -133,7 +133,7 @@ void expect_whole(const Machine& machine) {
           fmt::format("axis {0} has no travel; give --travel {0}=LEAST,GREATEST in machine coordinates", axis));
     const double place = value_in(machine.setup.position, axis) + value_in(machine.setup.workpiece[0], axis);
     const double room = axis == mark_axis(machine) ? 1 : 0;
-    if (place < fuzz::approximate(travel->second.least) || place + room > fuzz::approximate(travel->second.greatest))
+    if (place < judge::approximate(travel->second.least) || place + room > judge::approximate(travel->second.greatest))
       throw spec::InputError("--travel", 0, 0,
                              fmt::format("axis {}: the place of the marks ([position] of the setup), {:g} in machine "
                                          "coordinates, with 1 of room in the + direction, is outside the travel",
@@ -163,9 +163,9 @@ std::map<char, Extent> extents(const Machine& machine, std::span<const model::Ev
 std::string outside_travels(const Machine& machine, std::span<const model::Event> events) {
   for (const auto& [axis, extent] : extents(machine, events)) {
     const Travel& travel = machine.travels.at(axis);
-    if (!(extent.least >= fuzz::approximate(travel.least)))
+    if (!(extent.least >= judge::approximate(travel.least)))
       return fmt::format("{} goes to {:.6g}, below {}", axis, extent.least, spec::to_string(travel.least));
-    if (!(extent.greatest <= fuzz::approximate(travel.greatest)))
+    if (!(extent.greatest <= judge::approximate(travel.greatest)))
       return fmt::format("{} goes to {:.6g}, above {}", axis, extent.greatest, spec::to_string(travel.greatest));
   }
   return {};

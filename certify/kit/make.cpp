@@ -15,8 +15,8 @@
 #include "certify/kit/run_sheet.h"
 #include "certify/sort_by.h"
 #include "corpus/manifest.h"
-#include "fuzz/oracle/number.h"
-#include "fuzz/oracle/trial.h"
+#include "judge/oracle/number.h"
+#include "judge/oracle/trial.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
 
@@ -153,7 +153,7 @@ class Maker {
 
   [[nodiscard]] bool independent(unsigned number, const std::vector<const Chosen*>& bundle) const {
     const ProgramText program = text_of(number, ProgramKind::recorded, bundle);
-    const fuzz::ModelRun run = fuzz::run_model(case_of(program, bundle, kSamples));
+    const judge::ModelRun run = judge::run_model(case_of(program, bundle, kSamples));
     return different_case(run, bundle, program) == nullptr;
   }
 
@@ -176,7 +176,7 @@ class Maker {
   }
 
   // The first case that does not do in the program what it does alone.
-  [[nodiscard]] const Chosen* different_case(const fuzz::ModelRun& run, const std::vector<const Chosen*>& bundle,
+  [[nodiscard]] const Chosen* different_case(const judge::ModelRun& run, const std::vector<const Chosen*>& bundle,
                                              const ProgramText& program) const {
     for (std::size_t i = 0; i < bundle.size(); ++i)
       if (CaseRunner::events_of(options_.machine, run, program.cases[i]) != bundle[i]->run.events) return bundle[i];
@@ -194,7 +194,7 @@ class Maker {
     KitProgram entry{
         number, bundle.front()->group, file_name(number), setup_name(bundle.front()->group), {}, {}, program.marks, {},
         0};
-    const fuzz::ModelRun run = checked(number, bundle, program);
+    const judge::ModelRun run = checked(number, bundle, program);
     for (std::size_t i = 0; i < bundle.size(); ++i) {
       const Chosen& chosen = *bundle[i];
       KitCase c{chosen.vector->id, chosen.vector->section, chosen.same_machine, program.cases[i], {}};
@@ -215,16 +215,16 @@ class Maker {
   }
 
   // The whole program through both engines: they agree on it, and every case does in it what it does alone.
-  fuzz::ModelRun checked(unsigned number, const std::vector<const Chosen*>& bundle, const ProgramText& program) const {
-    const fuzz::Trial trial = fuzz::try_case(case_of(program, bundle, kSamples));
+  judge::ModelRun checked(unsigned number, const std::vector<const Chosen*>& bundle, const ProgramText& program) const {
+    const judge::Trial trial = judge::try_case(case_of(program, bundle, kSamples));
     const std::string name = file_name(number);
-    if (trial.verdict.outcome == fuzz::Outcome::differs)
-      throw std::runtime_error(name + ": the engines differ: " + fuzz::explain(*trial.verdict.difference));
+    if (trial.verdict.outcome == judge::Outcome::differs)
+      throw std::runtime_error(name + ": the engines differ: " + judge::explain(*trial.verdict.difference));
     if (const Chosen* const different = different_case(trial.run, bundle, program))
       throw std::runtime_error(name + ": " + different->vector->id + " does not do here what it does alone");
     if (std::string why = outside_travels(options_.machine, trial.run.events); !why.empty())
       throw std::runtime_error(name + ": outside the travels: " + why);
-    return fuzz::run_model(case_of(program, bundle, 0));
+    return judge::run_model(case_of(program, bundle, 0));
   }
 
   const MakeOptions& options_;
@@ -265,7 +265,7 @@ Kit make(const MakeOptions& options) {
     throw spec::InputError("--section", 0, 0, fmt::format("no golden vector of these sections is for {}", control));
   Outcomes outcomes;
   const OutcomeSet wanted = outcomes.of_sections(options.sections, control);
-  Chooser chooser(options.machine, outcomes, vectors, options.first_offset, fuzz::approximate(options.tolerance),
+  Chooser chooser(options.machine, outcomes, vectors, options.first_offset, judge::approximate(options.tolerance),
                   options.progress);
   if (options.why_not) chooser.leave_out(options.why_not);
   const Choice choice = chooser.choose(wanted);

@@ -9,7 +9,7 @@
 
 #include "certify/kit/cover.h"
 #include "model/basis/recorder.h"
-#include "spec/trace/coverage.h"
+#include "spec/coverage/coverage.h"
 
 namespace toolcomp::certify::kit {
 

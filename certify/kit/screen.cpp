@@ -7,11 +7,14 @@
 
 #include "spec/language/byte_source.h"
 #include "spec/language/decimal_order.h"
+#include "spec/language/fanuc/g_codes.h"
 #include "spec/language/fanuc/program_reader.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::certify::kit {
 namespace {
+
+using enum spec::GCode;
 
 // A code in tenths: 412 for G41.2.
 std::optional<std::uint64_t> code_of(const spec::Word& word) {
@@ -21,15 +24,10 @@ std::optional<std::uint64_t> code_of(const spec::Word& word) {
 
 // What neither leaves a trace behind the case nor needs what a bare machine does not have. G20, G21, G28, G30 and G37
 // are asked about by themselves.
-constexpr std::array<std::uint64_t, 35> kCodes = {0,   10,  20,  30,  100, 170, 180, 190, 290, 390, 400, 410,
-                                                  412, 413, 416, 420, 422, 426, 430, 434, 435, 440, 450, 460,
-                                                  470, 480, 490, 530, 540, 900, 910, 940, 370, 280, 300};
-constexpr std::uint64_t kInch = 200;
-constexpr std::uint64_t kMetric = 210;
-constexpr std::uint64_t kReturn = 280;
-constexpr std::uint64_t kSecondReturn = 300;
-constexpr std::uint64_t kFloatingReturn = 301;
-constexpr std::uint64_t kMeasure = 370;
+constexpr std::array<std::uint64_t, 35> kCodes = {kG00, kG01,   kG02,   kG03,   kG10,   kG17,   kG18, kG19,   kG29,
+                                                  kG39, kG40,   kG41,   kG41_2, kG41_3, kG41_6, kG42, kG42_2, kG42_6,
+                                                  kG43, kG43_4, kG43_5, kG44,   kG45,   kG46,   kG47, kG48,   kG49,
+                                                  kG53, kG54,   kG90,   kG91,   kG94,   kG37,   kG28, kG30};
 
 std::string g(std::uint64_t code) {
   return "G" + std::to_string(code / 10) + (code % 10 != 0 ? "." + std::to_string(code % 10) : "");
@@ -44,32 +42,32 @@ const spec::Word* find(const spec::Block& block, char address) {
 
 std::string refuse_code(const Machine& machine, const spec::Block& block, std::uint64_t code) {
   const spec::Setup& setup = machine.setup;
-  if (code == kInch || code == kMetric) {
-    const bool same = (code == kInch) == (setup.units == spec::Units::inch);
+  if (code == kG20 || code == kG21) {
+    const bool same = (code == kG20) == (setup.units == spec::Units::inch);
     return same ? "" : g(code) + " changes the units of the control";
   }
-  if (code == kReturn && !setup.reference.contains(1)) return "the setup does not give reference position 1";
-  if (code == kSecondReturn) {
+  if (code == kG28 && !setup.reference.contains(1)) return "the setup does not give reference position 1";
+  if (code == kG30) {
     const spec::Word* const p = find(block, 'P');
     const int number = p != nullptr ? static_cast<int>(std::min<std::uint64_t>(p->value.digits, 9)) : 2;
     if (number >= 1 && number <= 4 && !setup.reference.contains(number))
       return "the setup does not give reference position " + std::to_string(number) + " is";
   }
-  if (code == kFloatingReturn)
+  if (code == kG30_1)
     return setup.floating_reference.empty() ? "the setup does not give the floating reference position" : "";
-  if (code == kMeasure && setup.measurement.empty()) return "the setup has no measuring signal ([measurement])";
-  if (code == 100) {
+  if (code == kG37 && setup.measurement.empty()) return "the setup has no measuring signal ([measurement])";
+  if (code == kG10) {
     const spec::Word* const l = find(block, 'L');
     const bool offsets = l != nullptr && l->value.is_integer() &&
                          (l->value.digits == 1 || (l->value.digits >= 10 && l->value.digits <= 13));
     if (!offsets) return "G10 without L1 or L10 to L13 may write anything";
   }
   // It is G54.1 then.
-  if (code == 540 && find(block, 'P') != nullptr) return "G54 with P: the other workpiece systems belong to the user";
+  if (code == kG54 && find(block, 'P') != nullptr) return "G54 with P: the other workpiece systems belong to the user";
   if (std::ranges::find(kCodes, code) != kCodes.end()) return {};
-  if (code >= 550 && code <= 590) return g(code) + ": the other workpiece systems belong to the user";
-  if (code == 40) return "a dwell inside it would look like a mark";
-  if (code == 920) return "G92 leaves the coordinates shifted";
+  if (code >= kG55 && code <= kG59) return g(code) + ": the other workpiece systems belong to the user";
+  if (code == kG04) return "a dwell inside it would look like a mark";
+  if (code == kG92) return "G92 leaves the coordinates shifted";
   return g(code) + " may have a meaning in the control, and has none in the model";
 }
 

@@ -3,7 +3,7 @@
 
 #include <type_traits>
 
-#include "fuzz/oracle/control.h"
+#include "judge/oracle/control.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -30,7 +30,7 @@ class BlocksOf : public Blocks {
  private:
   static typename Control::Model make(const spec::Setup& setup, model::Recorder& recorder, model::EventSink& events,
                                       model::MotionSink& motions) {
-    if constexpr (std::is_same_v<Control, fuzz::FanucControl>)
+    if constexpr (std::is_same_v<Control, judge::FanucControl>)
       return typename Control::Model(setup, recorder, events, 0, &motions);
     else
       return typename Control::Model(setup, recorder, events);
@@ -47,8 +47,8 @@ class BlocksOf : public Blocks {
 
 std::unique_ptr<Blocks> blocks_of(const spec::Case& c, model::EventSink& events, model::MotionSink& motions) {
   std::unique_ptr<Blocks> blocks;
-  fuzz::with_control(c.setup,
-                     [&]<class Control>(Control) { blocks = std::make_unique<BlocksOf<Control>>(c, events, motions); });
+  judge::with_control(
+      c.setup, [&]<class Control>(Control) { blocks = std::make_unique<BlocksOf<Control>>(c, events, motions); });
   return blocks;
 }
 

@@ -14,7 +14,7 @@
 #include "certify/trace/program_path.h"
 #include "certify/trace/recording.h"
 #include "certify/trace/time_steps.h"
-#include "fuzz/oracle/program_facts.h"
+#include "judge/oracle/program_facts.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::certify {
@@ -148,7 +148,7 @@ TraceResult judge_trace(const spec::Case& c, SampleSource& samples, const TraceO
 }
 
 TraceResult judge_trace(const spec::Case& c, std::istream& csv, const std::string& file, const TraceOptions& options) {
-  Recording recording(csv, file, c.setup.axes, fuzz::ProgramFacts::of(c).units().value_or(c.setup.units));
+  Recording recording(csv, file, c.setup.axes, judge::ProgramFacts::of(c).units().value_or(c.setup.units));
   return judge_trace(c, recording, options);
 }
 

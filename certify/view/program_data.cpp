@@ -15,7 +15,7 @@
 #include "certify/event_numbers.h"
 #include "certify/view/number_words.h"
 #include "fast/basis/print.h"
-#include "spec/trace/report.h"
+#include "spec/coverage/report.h"
 
 namespace toolcomp::certify {
 namespace {

@@ -4,7 +4,7 @@
 #include <map>
 #include <memory>
 
-#include "fuzz/oracle/control.h"
+#include "judge/oracle/control.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -85,7 +85,7 @@ void run(const spec::Case& c, const std::string& file, const std::function<void(
 
 ProgramRun run_program(const spec::Case& c, const std::string& file, const std::function<void()>& on_block) {
   ProgramRun result;
-  fuzz::with_control(c.setup, [&]<class Control>(Control) { run<Control>(c, file, on_block, result); });
+  judge::with_control(c.setup, [&]<class Control>(Control) { run<Control>(c, file, on_block, result); });
   for (const model::Event& event : result.events)
     result.undecided = result.undecided || event.kind == spec::EventKind::undecided ||
                        (event.kind != spec::EventKind::alarm && spec::ends_run(event.kind));

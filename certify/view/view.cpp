@@ -15,7 +15,7 @@
 #include "certify/markup.h"
 #include "certify/view/tool_shapes.h"
 #include "fuzz/gen/program_text.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 #include "spec/language/event_names.h"
 #include "spec/language/input_error.h"
 
@@ -255,7 +255,7 @@ ViewRun view_run(const spec::Case& c, std::vector<spec::Event<double>> events) {
   std::size_t end = 0;
   for (std::size_t line = 0; line < kMostSteps && end != std::string::npos; ++line) end = c.program.find('\n', end + 1);
   if (end != std::string::npos) first.program.resize(end + 1);
-  const std::vector<model::Event> exact = fuzz::run_model(first).events;
+  const std::vector<model::Event> exact = judge::run_model(first).events;
   ViewRun run;
   run.clauses.resize(events.size());
   auto same = exact.begin();

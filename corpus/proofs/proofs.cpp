@@ -11,9 +11,9 @@
 
 #include "corpus/golden.h"
 #include "corpus/proofs/rows.h"
-#include "formal/case_data.h"
-#include "spec/language/data_folder.h"
-#include "spec/language/file_writer.h"
+#include "host/data_folder.h"
+#include "host/file_writer.h"
+#include "spec_engine/case_data.h"
 
 namespace toolcomp::corpus {
 namespace {
@@ -32,13 +32,13 @@ std::string file_name(std::string section, std::size_t part) {
   return fmt::format("Golden_{}_{}.v", section, part);
 }
 
-formal::CaseData data_of(const spec::Case& c) {
-  return c.dialect == "fanuc" ? formal::fanuc_case(c) : formal::klartext_case(c);
+spec_engine::CaseData data_of(const spec::Case& c) {
+  return c.dialect == "fanuc" ? spec_engine::fanuc_case(c) : spec_engine::klartext_case(c);
 }
 
 // The arguments of the statements about a vector.
 std::string arguments(const spec::Case& c) {
-  const formal::CaseData made = data_of(c);
+  const spec_engine::CaseData made = data_of(c);
   return fmt::format("({})\n  {}", data_term(made.data), row_term(c, made.places));
 }
 
@@ -76,7 +76,7 @@ ProofFiles write_proofs(const fs::path& corpus, const fs::path& output, const Pr
       std::string text = fmt::format("(** Generated from the golden vectors of {}. *)\n{}", section, proofs_head());
       for (std::size_t i = first; i < std::min(first + kInAFile, cases.size()); ++i)
         text += '\n' + (options.only_tell ? question_about(cases[i]) : proof_of(cases[i]));
-      spec::write_file(output / file_name(section, first / kInAFile + 1), text);
+      host::write_file(output / file_name(section, first / kInAFile + 1), text);
       ++written.files;
     }
     written.vectors[section] = cases.size();
@@ -85,7 +85,7 @@ ProofFiles write_proofs(const fs::path& corpus, const fs::path& output, const Pr
 }
 
 std::map<std::string, std::string> unproven() {
-  std::ifstream file(spec::data_folder() / "corpus/proofs/unproven.json");
+  std::ifstream file(host::data_folder() / "corpus/proofs/unproven.json");
   std::map<std::string, std::string> reasons;
   const nlohmann::json by_reason = nlohmann::json::parse(file);
   for (const auto& [reason, ids] : by_reason.items())

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "spec/coverage/report.h"
 #include "spec/language/case.h"
-#include "spec/trace/report.h"
 
 namespace toolcomp::corpus {
 

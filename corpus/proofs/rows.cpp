@@ -239,7 +239,7 @@ void write_event(Row& row, const TextEvent& event, const spec::Case& c) {
 
 }  // namespace
 
-std::string data_term(const formal::Data& data) {
+std::string data_term(const spec_engine::Data& data) {
   return std::visit(
       [](const auto& value) -> std::string {
         using Kind = std::decay_t<decltype(value)>;
@@ -247,9 +247,9 @@ std::string data_term(const formal::Data& data) {
           return fmt::format("Whole ({})", value);
         } else if constexpr (std::is_same_v<Kind, std::string>) {
           return fmt::format("Text \"{}\"", value);
-        } else if constexpr (std::is_same_v<Kind, formal::List>) {
+        } else if constexpr (std::is_same_v<Kind, spec_engine::List>) {
           std::string entries;
-          for (const formal::Data& entry : value) entries += (entries.empty() ? "" : "; ") + data_term(entry);
+          for (const spec_engine::Data& entry : value) entries += (entries.empty() ? "" : "; ") + data_term(entry);
           return "Tree [" + entries + ']';
         } else {
           return {};  // no case has a number that is no decimal
@@ -258,7 +258,7 @@ std::string data_term(const formal::Data& data) {
       data.value);
 }
 
-std::string row_term(const spec::Case& c, const std::vector<formal::Place>& places) {
+std::string row_term(const spec::Case& c, const std::vector<spec_engine::Place>& places) {
   Row row;
   std::size_t place = 0;
   row.several([&] {

@@ -51,7 +51,7 @@ def counted(_=None):
 
 
 def law_rows():
-    text = (ROOT / "fuzz/laws/README.md").read_text().split("| file | laws |")[1].split("\n\n")[0]
+    text = (ROOT / "judge/laws/README.md").read_text().split("| file | laws |")[1].split("\n\n")[0]
     return re.findall(r"`([a-z-]+)`", re.sub(r"^\| `[^`]*` \|", "|", text, flags=re.M))
 
 
@@ -86,5 +86,5 @@ def versions(_=None):
 
 def wrong_clauses(_=None):
     """The table of wrong clauses that both engines follow, as it stands beside the laws."""
-    text = (ROOT / "fuzz/laws/README.md").read_text()
+    text = (ROOT / "judge/laws/README.md").read_text()
     return re.search(r"^\| wrong clause .*?(?=\n\n|\Z)", text, re.M | re.S)[0]

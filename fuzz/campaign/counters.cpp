@@ -53,10 +53,11 @@ std::vector<OutcomeSeen> outcomes(const spec::ClauseInfo& clause, const ClauseCo
 }  // namespace
 
 double Counters::accepted_share() const {
-  return executions == 0 ? 0 : static_cast<double>(count(Acceptance::accepted)) / static_cast<double>(executions);
+  return executions == 0 ? 0
+                         : static_cast<double>(count(judge::Acceptance::accepted)) / static_cast<double>(executions);
 }
 
-std::uint64_t Counters::count(Acceptance of) const { return acceptance.at(static_cast<std::size_t>(of)); }
+std::uint64_t Counters::count(judge::Acceptance of) const { return acceptance.at(static_cast<std::size_t>(of)); }
 
 std::uint64_t Counters::differed() const {
   std::uint64_t sum = 0;
@@ -68,10 +69,10 @@ double Counters::per_second() const {
   return milliseconds == 0 ? 0 : static_cast<double>(executions) * 1000 / static_cast<double>(milliseconds);
 }
 
-void add(Counters& total, const Trial& trial) {
+void add(Counters& total, const judge::Trial& trial) {
   ++total.executions;
   ++total.acceptance.at(static_cast<std::size_t>(trial.acceptance));
-  const Verdict& v = trial.verdict;
+  const judge::Verdict& v = trial.verdict;
   total.decisions += v.decisions;
   total.near_ties += v.near_ties;
   total.ties += v.ties;
@@ -102,7 +103,7 @@ void add(Counters& total, const Counters& part) {
   total.law_checks += part.law_checks;
   total.worst_ulp = std::max(total.worst_ulp, part.worst_ulp);
   total.worst_um = std::max(total.worst_um, part.worst_um);
-  for (std::size_t i = 0; i < kAcceptances; ++i) total.acceptance.at(i) += part.acceptance.at(i);
+  for (std::size_t i = 0; i < judge::kAcceptances; ++i) total.acceptance.at(i) += part.acceptance.at(i);
   add(total.clauses, part.clauses);
   for (const auto& [group, count] : part.hits) total.hits[group] += count;
 }
@@ -124,7 +125,7 @@ std::string write_counters(const Counters& r) {
   line("law_checks", r.law_checks);
   line("worst_ulp", r.worst_ulp);
   line("worst_um", r.worst_um);
-  for (std::size_t i = 0; i < kAcceptances; ++i) line(fmt::format("acceptance {}", i), r.acceptance.at(i));
+  for (std::size_t i = 0; i < judge::kAcceptances; ++i) line(fmt::format("acceptance {}", i), r.acceptance.at(i));
   for (const auto& [group, count] : r.hits) line("hits", fmt::format("{} {}", count, group));
   for (std::size_t i = 0; i < r.clauses.size(); ++i) {
     const ClauseCount& c = r.clauses[i];
@@ -159,7 +160,7 @@ Counters read_counters(std::string_view text) {
     if (name == "acceptance") {
       std::size_t index = 0;
       std::uint64_t count = 0;
-      if (words >> index >> count && index < kAcceptances) r.acceptance.at(index) = count;
+      if (words >> index >> count && index < judge::kAcceptances) r.acceptance.at(index) = count;
     }
     if (name == "hits") {
       std::uint64_t count = 0;

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/oracle/trial.h"
+#include "judge/oracle/trial.h"
 
 namespace toolcomp::fuzz {
 
@@ -17,7 +17,7 @@ namespace toolcomp::fuzz {
 struct Counters {
   std::uint64_t executions = 0;
   std::uint64_t milliseconds = 0;  // of workers
-  std::array<std::uint64_t, kAcceptances> acceptance{};
+  std::array<std::uint64_t, judge::kAcceptances> acceptance{};
   std::vector<model::ClauseCount> clauses;
   std::uint64_t decisions = 0;
   std::uint64_t near_ties = 0;
@@ -32,7 +32,7 @@ struct Counters {
   std::map<std::string, std::uint64_t> hits;  // executions that differed, by group_of()
 
   [[nodiscard]] double accepted_share() const;
-  [[nodiscard]] std::uint64_t count(Acceptance of) const;
+  [[nodiscard]] std::uint64_t count(judge::Acceptance of) const;
   // Executions that differed.
   [[nodiscard]] std::uint64_t differed() const;
   // Executions a second of a worker; 0 where no time is known.
@@ -40,7 +40,7 @@ struct Counters {
 };
 
 // One execution more; hits are the diary's.
-void add(Counters& total, const Trial& trial);
+void add(Counters& total, const judge::Trial& trial);
 // In whatever order parts are added, the sum is the same.
 void add(Counters& total, const Counters& part);
 

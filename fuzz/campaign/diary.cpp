@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "fuzz/gen/encode.h"
+#include "host/file_writer.h"
 #include "spec/language/case_format.h"
-#include "spec/language/file_writer.h"
 #include "spec/language/json_text.h"
 
 namespace toolcomp::fuzz {
@@ -19,7 +19,7 @@ constexpr auto kInterval = std::chrono::seconds(1);
 
 }  // namespace
 
-std::string seen_text(const spec::Case& input, const Difference& difference, const HowFound& how) {
+std::string seen_text(const spec::Case& input, const judge::Difference& difference, const HowFound& how) {
   std::string out = "{\"finding\": 1";
   const auto name = [&out](std::string_view key) { out += fmt::format(",\n \"{}\": ", key); };
   const auto text = [&](std::string_view key, std::string_view value) {
@@ -60,7 +60,7 @@ void Diary::hit(const std::string& group, std::uint64_t executions,
 
 void Diary::keep(const std::string& name, const std::string& text) {
   try {
-    spec::write_file(folder_ / kFindings / name, text);
+    host::write_file(folder_ / kFindings / name, text);
   } catch (const std::exception&) {
     failed_ = true;
     static_cast<void>(box_.keep(name + '\n' + text));
@@ -76,7 +76,7 @@ void Diary::write(Counters result) {
   result.milliseconds = static_cast<std::uint64_t>(seconds() * 1000);
   result.hits = hits_;
   try {
-    spec::write_file(folder_ / kStatistics, write_counters(result));
+    host::write_file(folder_ / kStatistics, write_counters(result));
   } catch (const std::exception&) {
     failed_ = true;
   }
@@ -84,15 +84,15 @@ void Diary::write(Counters result) {
 
 double Diary::seconds() const { return std::chrono::duration<double>(Clock::now() - begun_).count(); }
 
-std::string group_of(std::string_view section, const Difference& difference) {
+std::string group_of(std::string_view section, const judge::Difference& difference) {
   // No clause enters a law: what it is broken by is known by its name.
   if (difference.kind == "law") return fmt::format("{}|law {}|", section, difference.field);
   return fmt::format("{}|{}|{}", section, difference.kind,
                      difference.clause ? spec::info(*difference.clause).id : std::string_view());
 }
 
-Difference not_decided(const std::string& why) {
-  Difference open;
+judge::Difference not_decided(const std::string& why) {
+  judge::Difference open;
   open.kind = kUndecidedKind;
   open.field = "verdict";
   open.expected = "a verdict";

@@ -24,7 +24,7 @@ struct HowFound {
 };
 
 // A difference as a finding that `toolcomp replay` reads, before anybody has looked at it again.
-std::string seen_text(const spec::Case& input, const Difference& difference, const HowFound& how);
+std::string seen_text(const spec::Case& input, const judge::Difference& difference, const HowFound& how);
 
 // The files of one worker, in a folder of its own.
 class Diary {
@@ -68,10 +68,10 @@ class Diary {
 };
 
 // The group of a difference as far as it is known before it is shrunk: "SECTION|KIND|CLAUSE"; of a law its name.
-std::string group_of(std::string_view section, const Difference& difference);
+std::string group_of(std::string_view section, const judge::Difference& difference);
 // What could not be decided is looked at again too, as a difference of kind "undecided".
 inline constexpr const char* kUndecidedKind = "undecided";
-Difference not_decided(const std::string& why);
+judge::Difference not_decided(const std::string& why);
 // Whether the n-th hit of a group is kept.
 bool worth_keeping(std::uint64_t hit);
 // A short name for bytes.

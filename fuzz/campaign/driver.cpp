@@ -41,9 +41,10 @@ spec::Case Driver::next(std::uint64_t i) {
 
 void Driver::execute(spec::Case c, bool keep) {
   if (options_.on_input) options_.on_input(c);
-  const Trial trial = try_short(c, options_.subject);
+  const judge::Trial trial = try_short(c, options_.judged_by);
   add(result_, trial);
-  if (trial.acceptance == Acceptance::not_decided && options_.on_open) options_.on_open(c, trial.verdict.undecided);
+  if (trial.acceptance == judge::Acceptance::not_decided && options_.on_open)
+    options_.on_open(c, trial.verdict.undecided);
   if (trial.found()) {
     if (options_.on_finding) options_.on_finding(c, *trial.verdict.difference);
     return;

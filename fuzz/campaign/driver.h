@@ -16,11 +16,11 @@ struct DriverOptions {
   std::string section;
   Mode mode = Mode::directed;
   std::uint64_t seed = 1;
-  Subject subject;                                                         // empty: the fast engine
-  std::function<void(const spec::Case&)> on_input;                         // before each execution
-  std::function<void(const spec::Case&, const Difference&)> on_finding;    // each difference
-  std::function<void(const spec::Case&, const std::string& why)> on_open;  // what could not be decided
-  std::function<void(const spec::Case&)> on_corpus;                        // what reached something new
+  judge::CaseJudge judged_by;                                                   // empty: the fast engine is judged
+  std::function<void(const spec::Case&)> on_input;                              // before each execution
+  std::function<void(const spec::Case&, const judge::Difference&)> on_finding;  // each difference
+  std::function<void(const spec::Case&, const std::string& why)> on_open;       // what could not be decided
+  std::function<void(const spec::Case&)> on_corpus;                             // what reached something new
 };
 
 // Belongs to the thread that made it: exact values do. The same options and calls give the same search.

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 
 namespace toolcomp::fuzz {
 
@@ -27,7 +27,7 @@ std::vector<FeatureCount> counted_features(const model::Recorder& recorder) {
       if (slots[i] != 0) take(clause * kClauseSlots + i, slots[i]);
   }
   for (const model::Decision& d : recorder.decisions()) {
-    const double m = margin(d);
+    const double m = judge::margin(d);
     if (m == 0) continue;  // a tie, counted above
     const std::size_t side = d.outcome == exact::Sign::positive ? 0 : kMarginBins;
     take(static_cast<std::size_t>(d.clause) * kClauseSlots + kOutcomeSlots + side + margin_bin(m), 1);

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "fuzz/faults/faults.h"
-#include "fuzz/oracle/policy.h"
+#include "judge/oracle/policy.h"
 
 namespace toolcomp::fuzz {
 
@@ -15,14 +15,14 @@ std::vector<std::string> shortfalls(const Target& target, const Counters& result
   if (result.executions == 0) return {"not run"};
   if (target.is_reader()) return all;
   if (result.values == 0) all.emplace_back("no value judged");
-  const std::uint64_t open = result.count(Acceptance::not_decided);
+  const std::uint64_t open = result.count(judge::Acceptance::not_decided);
   if (open > 0) all.push_back(fmt::format("{} executions that could not be decided", open));
   if (result.executions < kEnoughToJudge) return all;
   const std::uint64_t given = result.values + result.wide;
-  if (static_cast<double>(result.wide) > policy::kMostWide * static_cast<double>(given))
+  if (static_cast<double>(result.wide) > judge::policy::kMostWide * static_cast<double>(given))
     all.push_back(fmt::format("judged share {:.1f} %, at least {:.0f} % required",
                               100 * static_cast<double>(result.values) / static_cast<double>(given),
-                              100 * (1 - policy::kMostWide)));
+                              100 * (1 - judge::policy::kMostWide)));
   const double floor = target.mode == Mode::directed ? kDirectedFloor : kUnrestrictedFloor;
   if (result.accepted_share() < floor)
     all.push_back(

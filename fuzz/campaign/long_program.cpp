@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "fuzz/oracle/control.h"
+#include "judge/oracle/control.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/input_error.h"
 
@@ -11,7 +11,7 @@ namespace toolcomp::fuzz {
 
 bool repeats_much(const spec::Case& c) {
   constexpr std::size_t kMostBlocks = 4000;
-  return with_control(c.setup, [&]<class Control>(Control) {
+  return judge::with_control(c.setup, [&]<class Control>(Control) {
     auto reader = Control::reader(spec::text_source(c.program), c.setup, "program");
     typename Control::Block block;
     std::size_t blocks = 0;
@@ -24,10 +24,10 @@ bool repeats_much(const spec::Case& c) {
   });
 }
 
-Trial try_short(const spec::Case& c, const Subject& subject) {
-  if (!repeats_much(c)) return try_case(c, subject);
-  Trial trial;
-  trial.acceptance = Acceptance::too_long;
+judge::Trial try_short(const spec::Case& c, const judge::CaseJudge& judged_by) {
+  if (!repeats_much(c)) return judge::try_case(c, judged_by);
+  judge::Trial trial;
+  trial.acceptance = judge::Acceptance::too_long;
   return trial;
 }
 

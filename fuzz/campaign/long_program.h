@@ -2,7 +2,7 @@
 // Programs that are too long to be tried.
 #pragma once
 
-#include "fuzz/oracle/trial.h"
+#include "judge/oracle/trial.h"
 #include "spec/language/case.h"
 
 namespace toolcomp::fuzz {
@@ -11,6 +11,6 @@ namespace toolcomp::fuzz {
 bool repeats_much(const spec::Case& c);
 
 // try_case() of every other program; of these a trial that says that they are too long.
-Trial try_short(const spec::Case& c, const Subject& subject = {});
+judge::Trial try_short(const spec::Case& c, const judge::CaseJudge& judged_by = {});
 
 }  // namespace toolcomp::fuzz

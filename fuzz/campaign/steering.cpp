@@ -62,7 +62,7 @@ void for_each_shape(const std::vector<model::Event>& events, Take take) {
 }
 
 template <class Take>
-void for_each_slot(const ModelRun& run, Take take) {
+void for_each_slot(const judge::ModelRun& run, Take take) {
   for (const auto& [feature, count] : counted_features(run.recorder)) take(feature, count);
   for_each_pair(run.events, take);
   for_each_shape(run.events, take);
@@ -70,7 +70,7 @@ void for_each_slot(const ModelRun& run, Take take) {
 
 }  // namespace
 
-bool Coverage::add(const ModelRun& run) {
+bool Coverage::add(const judge::ModelRun& run) {
   bool fresh = false;
   for_each_slot(run, [&](std::size_t slot, std::uint64_t) {
     fresh = fresh || !slots_[slot];
@@ -79,7 +79,7 @@ bool Coverage::add(const ModelRun& run) {
   return fresh;
 }
 
-void count_reached(const ModelRun& run, std::span<std::uint8_t> counters) {
+void count_reached(const judge::ModelRun& run, std::span<std::uint8_t> counters) {
   constexpr std::uint64_t most = 255;
   for_each_slot(run, [&](std::size_t slot, std::uint64_t count) {
     counters[slot] = static_cast<std::uint8_t>(std::min(most, counters[slot] + count));

@@ -9,7 +9,7 @@
 
 #include "fuzz/campaign/features.h"
 #include "fuzz/gen/generator.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 
 namespace toolcomp::fuzz {
 
@@ -23,14 +23,14 @@ inline constexpr std::size_t kSteeringSlots = kFeatures + kPairSlots + kShapeSlo
 class Coverage {
  public:
   // Whether there was something new.
-  bool add(const ModelRun& run);
+  bool add(const judge::ModelRun& run);
 
  private:
   std::vector<bool> slots_ = std::vector<bool>(kSteeringSlots, false);
 };
 
 // Adds what a run reached to counters, saturating: one for each slot.
-void count_reached(const ModelRun& run, std::span<std::uint8_t> counters);
+void count_reached(const judge::ModelRun& run, std::span<std::uint8_t> counters);
 
 // One change of a case; with `push` it may ask the model: some change then moves one number so that one decision comes
 // nearer to its boundary.

@@ -318,19 +318,19 @@ constexpr WrongClause kWrong[] = {
 
 std::span<const WrongClause> wrong_clauses() { return kWrong; }
 
-Trial try_wrong(const WrongClause& wrong, const spec::Case& c) {
+judge::Trial try_wrong(const WrongClause& wrong, const spec::Case& c) {
   const spec::Case altered = wrong.altered != nullptr ? wrong.altered(c) : c;
-  Trial trial;
+  judge::Trial trial;
   try {
-    trial.run = run_model(altered);
-    trial.verdict = judge(altered, trial.run, run_fast(altered));
+    trial.run = judge::run_model(altered);
+    trial.verdict = judge::judge(altered, trial.run, judge::run_fast(altered));
     if (wrong.events != nullptr) wrong.events(c, trial.run.events);
-    trial.law_checks = hold_laws(c, trial.run, trial.verdict);
+    trial.law_checks = judge::hold_laws(c, trial.run, trial.verdict);
   } catch (const spec::InputError&) {
     // A setup that the control could not have.
-    trial.acceptance = Acceptance::no_setup;
+    trial.acceptance = judge::Acceptance::no_setup;
   } catch (const exact::Undecided&) {
-    trial.acceptance = Acceptance::not_decided;
+    trial.acceptance = judge::Acceptance::not_decided;
   }
   return trial;
 }

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/oracle/trial.h"
+#include "judge/oracle/trial.h"
 
 namespace toolcomp::fuzz {
 
@@ -24,10 +24,10 @@ struct WrongClause {
   void (*events)(const spec::Case&, std::vector<model::Event>&);
 };
 
-// Which law finds which after how many executions: fuzz/laws/README.md; tests/harness/laws.cpp prints it.
+// Which law finds which after how many executions: judge/laws/README.md; tests/harness/laws.cpp prints it.
 std::span<const WrongClause> wrong_clauses();
 
 // The case through both engines with the wrong clause, judged, and held against the laws.
-Trial try_wrong(const WrongClause& wrong, const spec::Case& c);
+judge::Trial try_wrong(const WrongClause& wrong, const spec::Case& c);
 
 }  // namespace toolcomp::fuzz

@@ -19,7 +19,7 @@
 #include <iterator>
 #include <optional>
 #include <tuple>
-#include "fuzz/oracle/number.h"
+#include "judge/oracle/number.h"
 #include "spec/language/alarm.h"
 #include "spec/language/parameter.h"
 #include "spec/language/setup_key.h"
@@ -143,9 +143,10 @@ void put_deviation(Setup& setup, const Line& line) {
   constexpr double gap = 1.0 / 1'000'000'000;
   const auto values = decimals<2>(line, 1);
   const std::string_view name = line.from[3];
-  if (!values || name.empty() || approximate((*values)[0]) < 0 || approximate((*values)[0]) > half_turn) return;
+  if (!values || name.empty() || judge::approximate((*values)[0]) < 0 || judge::approximate((*values)[0]) > half_turn)
+    return;
   spec::DeviationTable& table = setup.dr2_tables[std::string(name)];
-  if (table.empty() || approximate((*values)[0]) > approximate(table.back().first) + gap)
+  if (table.empty() || judge::approximate((*values)[0]) > judge::approximate(table.back().first) + gap)
     table.emplace_back((*values)[0], (*values)[1]);
 }
 

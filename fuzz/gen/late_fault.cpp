@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "fuzz/gen/program_text.h"
-#include "fuzz/oracle/control.h"
+#include "judge/oracle/control.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -36,7 +36,7 @@ class Watch final : public spec::EventSink<exact::Real> {
 std::optional<Progress> run(const spec::Case& c) {
   Watch watch;
   try {
-    with_control(c.setup, [&]<class Control>(Control) {
+    judge::with_control(c.setup, [&]<class Control>(Control) {
       model::Recorder recorder;
       auto engine = Control::model(c.setup, recorder, watch, c.samples);
       auto reader = Control::reader(spec::text_source(c.program), c.setup, "program");

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "fuzz/gen/numbers.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::fuzz {
@@ -35,7 +35,7 @@ struct Followed {
 };
 
 double signed_margin(const model::Decision& decision) {
-  return decision.outcome == exact::Sign::negative ? -margin(decision) : margin(decision);
+  return decision.outcome == exact::Sign::negative ? -judge::margin(decision) : judge::margin(decision);
 }
 
 // Of one clause, each as likely, the decision nearest to its boundary that is no tie.
@@ -48,7 +48,7 @@ std::optional<Followed> chosen(const std::vector<model::Decision>& decisions, Ch
   };
   std::map<spec::Clause, Nearest> nearest;
   for (const model::Decision& decision : decisions) {
-    const double m = margin(decision);
+    const double m = judge::margin(decision);
     Nearest& n = nearest[decision.clause];
     if (m > 0 && (n.margin == 0 || m < n.margin)) {
       n.margin = m;
@@ -87,7 +87,7 @@ struct Thrown : std::exception {
 
 std::vector<model::Decision> decisions_of(const spec::Case& c) {
   try {
-    return run_model(c).recorder.decisions();
+    return judge::run_model(c).recorder.decisions();
   } catch (const spec::InputError&) {
     return {};
   } catch (const std::exception&) {

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/oracle/trial.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/trial.h"
+#include "judge/oracle/verdict.h"
 #include "spec/language/case_format.h"
 
 namespace {
@@ -55,12 +55,12 @@ std::vector<Case> cases_of(const fs::path& file) {
 }
 
 // Whether it is as it should be: judged, and no difference.
-bool is_good(const Case& c, const toolcomp::fuzz::Trial& trial) {
+bool is_good(const Case& c, const toolcomp::judge::Trial& trial) {
   if (trial.found()) {
-    std::fprintf(stderr, "%s: %s\n", c.id.c_str(), toolcomp::fuzz::explain(*trial.verdict.difference).c_str());
+    std::fprintf(stderr, "%s: %s\n", c.id.c_str(), toolcomp::judge::explain(*trial.verdict.difference).c_str());
     return false;
   }
-  if (trial.acceptance != toolcomp::fuzz::Acceptance::not_decided) return true;
+  if (trial.acceptance != toolcomp::judge::Acceptance::not_decided) return true;
   std::fprintf(stderr, "%s: not decided: %s\n", c.id.c_str(), trial.verdict.undecided.c_str());
   return false;
 }
@@ -75,7 +75,7 @@ int main(int argc, char** argv) {
   try {
     for (const fs::path& file : files_of(argc, argv))
       for (const Case& c : cases_of(file)) {
-        const toolcomp::fuzz::Trial trial = toolcomp::fuzz::try_case(c);
+        const toolcomp::judge::Trial trial = toolcomp::judge::try_case(c);
         ++count;
         values += trial.verdict.values;
         if (!is_good(c, trial)) ++bad;

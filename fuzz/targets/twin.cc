@@ -19,12 +19,13 @@
 #include "fuzz/campaign/target.h"
 #include "fuzz/gen/encode.h"
 #include "fuzz/gen/mutate.h"
-#include "fuzz/oracle/trial.h"
 #include "fuzz/targets/worker.h"
+#include "judge/oracle/trial.h"
 
 namespace {
 
 using namespace toolcomp::fuzz;
+namespace judge = toolcomp::judge;
 
 // libFuzzer reads this section as more coverage and zeroes it before each run. It must be in an object of the
 // executable itself: from a shared library it would be lost.
@@ -41,9 +42,9 @@ void report() {
   if (diary != nullptr) diary->write(g_result);
   std::string text =
       fmt::format("acceptance: {:.1f} % of {} executions", 100 * g_result.accepted_share(), g_result.executions);
-  for (std::size_t i = 1; i < kAcceptances; ++i)
+  for (std::size_t i = 1; i < judge::kAcceptances; ++i)
     if (g_result.acceptance.at(i) != 0)
-      text += fmt::format(", {} {}", name(static_cast<Acceptance>(i)), g_result.acceptance.at(i));
+      text += fmt::format(", {} {}", name(static_cast<judge::Acceptance>(i)), g_result.acceptance.at(i));
   fmt::print(stderr, "{}\n{} law checks; worst {:.3g} ulp, {:.3g} um\n", text, g_result.law_checks, g_result.worst_ulp,
              g_result.worst_um);
   // A campaign judges the sum of its workers.
@@ -56,9 +57,9 @@ void report() {
 }
 
 // What has to be looked at again.
-void note(Diary& diary, const toolcomp::spec::Case& c, const Trial& trial) {
-  std::optional<Difference> what = trial.found() ? trial.verdict.difference : std::nullopt;
-  if (trial.acceptance == Acceptance::not_decided) what = not_decided(trial.verdict.undecided);
+void note(Diary& diary, const toolcomp::spec::Case& c, const judge::Trial& trial) {
+  std::optional<judge::Difference> what = trial.found() ? trial.verdict.difference : std::nullopt;
+  if (trial.acceptance == judge::Acceptance::not_decided) what = not_decided(trial.verdict.undecided);
   if (!what) return;
   diary.hit(
       group_of(c.section, *what), g_result.executions, [&](const HowFound& how) { return seen_text(c, *what, how); },
@@ -86,7 +87,7 @@ int run_target(std::string_view section, Mode, const std::uint8_t* data, std::si
   const spec::Case c = decode(section, as_text({data, size}));
   Diary* const diary = worker_diary("");
   if (diary != nullptr) diary->begin(as_text({data, size}));
-  const Trial trial = try_short(c);
+  const judge::Trial trial = try_short(c);
   add(g_result, trial);
   count_reached(trial.run, g_counters);
   if (diary != nullptr) {

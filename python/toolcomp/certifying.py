@@ -97,8 +97,8 @@ def certify(
 
     A controller in Python is called with the GIL held, and without a time limit. If it raises an Exception, this is a
     finding of kind "crash" with its traceback, and the next case follows. KeyboardInterrupt and other exceptions that
-    are not an Exception end the campaign and reach the caller. With `raise_errors` every exception does. With `report`,
-    the findings so far are written first.
+    are not an Exception end the certification and reach the caller. With `raise_errors` every exception does. With
+    `report`, the findings so far are written first.
 
     :param controller: a function from a :class:`Case` to events; an object with ``hello`` and ``answer``; a command
         that speaks the protocol; the name of an adapter; or "fast" or "spec", an engine of toolcomp

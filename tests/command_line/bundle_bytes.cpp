@@ -10,7 +10,7 @@
 
 #include "certify/bundle/seal.h"
 #include "certify/bundle/verify.h"
-#include "corpus/sha256.h"
+#include "host/sha256.h"
 #include "spec/language/input_error.h"
 #include "tests/command_line/bundles.h"
 #include "tests/effort.h"
@@ -97,7 +97,7 @@ TEST_F(Bytes, SealedAgainItIsTheSameOrRefused) {
   for (int i = 0; i < kTrials; ++i) {
     const std::string other = changed(body);
     const std::string name =
-        folder.write("o.tar.zst", other + toolcomp::certify::bundle::seal(toolcomp::corpus::sha256(other)));
+        folder.write("o.tar.zst", other + toolcomp::certify::bundle::seal(toolcomp::host::sha256(other)));
     const auto verification = verify(name, false);
     if (verification && verification->refused.empty()) {
       EXPECT_TRUE(toolcomp::test::members_of(name) == members) << i;

@@ -10,7 +10,7 @@
 
 #include "certify/bundle/archive_reader.h"
 #include "certify/bundle/archive_writer.h"
-#include "corpus/sha256.h"
+#include "host/sha256.h"
 #include "tests/command_line/command.h"
 
 namespace toolcomp::test {
@@ -41,7 +41,7 @@ inline void adapt_manifest(Members& members) {
   manifest["files"] = Json::array();
   for (const auto& [name, bytes] : members)
     if (name != "manifest.json")
-      manifest["files"].push_back(Json{{"file", name}, {"size", bytes.size()}, {"sha256", corpus::sha256(bytes)}});
+      manifest["files"].push_back(Json{{"file", name}, {"size", bytes.size()}, {"sha256", host::sha256(bytes)}});
   const std::string& cases = members.at("cases.jsonl");
   manifest["cases"] = std::ranges::count(cases, '\n');
   members["manifest.json"] = manifest.dump(2) + "\n";

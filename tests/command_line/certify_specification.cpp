@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "formal/engine.h"
+#include "spec_engine/engine.h"
 #include "tests/command_line/command.h"
 
 namespace {
@@ -19,7 +19,7 @@ using Json = nlohmann::json;
 class CertifySpecification : public testing::Test {
  protected:
   void SetUp() override {
-    if (!::toolcomp::formal::available()) GTEST_SKIP() << "built without Coq or OCaml";
+    if (!::toolcomp::spec_engine::available()) GTEST_SKIP() << "built without Coq or OCaml";
   }
   Folder folder_;
 };

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "formal/engine.h"
+#include "spec_engine/engine.h"
 #include "tests/command_line/campaign.h"
 
 namespace {
@@ -121,7 +121,7 @@ TEST_P(Fuzz, OneFaultIsOneFinding) {
   EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
   expect_one_finding(Json::parse(outcome.out));
   for (const char* words : {"\nFINDING ", "toolcomp replay ", "clause outcomes",
-                            ::toolcomp::formal::available() ? "the fast engine" : "not known who stands alone"})
+                            ::toolcomp::spec_engine::available() ? "the fast engine" : "not known who stands alone"})
     EXPECT_NE(outcome.err.find(words), std::string::npos) << words << '\n' << outcome.err;
   EXPECT_EQ(entries(temporary).size(), 0U) << "the temporary folder is left";
   // Found again it is the same, and nothing is written over: a campaign goes on, one without a name begins anew, and

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "formal/engine.h"
+#include "spec_engine/engine.h"
 #include "tests/command_line/campaign.h"
 
 namespace {
@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 class ThirdVoice : public testing::Test {
  protected:
   void SetUp() override {
-    if (!::toolcomp::formal::available()) GTEST_SKIP() << "built without Coq or OCaml";
+    if (!::toolcomp::spec_engine::available()) GTEST_SKIP() << "built without Coq or OCaml";
   }
   Folder folder;
   std::string dir = folder.path("c");

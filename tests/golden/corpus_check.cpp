@@ -15,11 +15,11 @@
 
 #include "corpus/diff.h"
 #include "corpus/lint.h"
-#include "corpus/sha256.h"
 #include "fuzz/gen/generator.h"
+#include "host/file_writer.h"
+#include "host/sha256.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/case_format.h"
-#include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::corpus {
@@ -75,7 +75,7 @@ TEST(GoldenCorpus, BadShardsAndSections) {
 TEST(GoldenCorpus, ASubjectThatJudgesNothingFails) {
   CheckOptions options;
   options.selection = {.sections = {"fanuc/leading-edge-offset"}, .share = {.index = 1, .count = 50}};
-  options.subject = [](const spec::Case&, const fuzz::ModelRun&) { return fuzz::Verdict(); };
+  options.judged_by = [](const spec::Case&, const judge::ModelRun&) { return judge::Verdict(); };
   const CheckResult result = check(options);
   EXPECT_GT(result.vectors, 0U);
   EXPECT_EQ(result.failures.size(), result.vectors);
@@ -96,11 +96,11 @@ class SmallCorpus : public testing::Test {
 
   // The file and a manifest that fits it.
   void put(const std::string& text) {
-    spec::write_file(folder_ / kFile, text);
+    host::write_file(folder_ / kFile, text);
     Manifest manifest;
     const auto vectors = static_cast<std::size_t>(std::ranges::count(text, '\n'));
-    manifest.files = {{kFile, "fanuc/leading-edge-offset", vectors, sha256(text)}};
-    spec::write_file(folder_ / "manifest.json", write_manifest(manifest));
+    manifest.files = {{kFile, "fanuc/leading-edge-offset", vectors, host::sha256(text)}};
+    host::write_file(folder_ / "manifest.json", write_manifest(manifest));
   }
   // The text with the first `from` replaced.
   [[nodiscard]] std::string replaced(const std::string& from, const std::string& to) const {
@@ -158,7 +158,7 @@ TEST_F(SmallCorpus, WrongClausesAndFlagsFail) {
 }
 
 TEST_F(SmallCorpus, LintFindsForeignFiles) {
-  spec::write_file(folder_ / "fanuc/leading-edge-offset/examples.jsonl.rej", "");
+  host::write_file(folder_ / "fanuc/leading-edge-offset/examples.jsonl.rej", "");
   EXPECT_EQ(lint(folder_), std::vector<std::string>{std::string(kFile) + ".rej: does not belong to the corpus"});
 }
 
@@ -250,15 +250,15 @@ TEST(CorpusManifest, ReadsWhatItWrites) {
   manifest.version = "1.2.3";
   manifest.generator = "g";
   manifest.seed = "7";
-  manifest.files = {{"a/b.jsonl", "a", 4, sha256("x")}};
-  spec::write_file(folder / "manifest.json", write_manifest(manifest));
+  manifest.files = {{"a/b.jsonl", "a", 4, host::sha256("x")}};
+  host::write_file(folder / "manifest.json", write_manifest(manifest));
   const Manifest read = read_manifest(folder);
   EXPECT_EQ(read.version, "1.2.3");
   EXPECT_EQ(read.seed, "7");
   EXPECT_EQ(read.files, manifest.files);
-  EXPECT_EQ(read.hash, sha256(write_manifest(manifest)));
+  EXPECT_EQ(read.hash, host::sha256(write_manifest(manifest)));
   for (const char* bad : {"", "{", "{}", R"({"corpus":2})", R"({"corpus":1,"version":"x"})"}) {
-    spec::write_file(folder / "manifest.json", bad);
+    host::write_file(folder / "manifest.json", bad);
     EXPECT_THROW(read_manifest(folder), spec::InputError) << bad;
   }
   fs::remove_all(folder);

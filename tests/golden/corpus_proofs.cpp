@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "corpus/golden.h"
-#include "spec/language/file_writer.h"
+#include "host/file_writer.h"
 #include "tests/effort.h"
 
 namespace toolcomp::corpus {
@@ -60,7 +60,7 @@ TEST(GoldenProofs, CoqRefusesAWrongVector) {
   ASSERT_EQ(c.expect[1].point[1].v, "7.071067811865475");
   const auto write = [&](const std::string& v) {
     c.expect[1].point.value[1].v = v;
-    spec::write_file(folder / "GoldenOne.v", proofs_head() + proof_of(c));
+    host::write_file(folder / "GoldenOne.v", proofs_head() + proof_of(c));
   };
   write("7.071067811865475");
   EXPECT_EQ(check(folder), 0);

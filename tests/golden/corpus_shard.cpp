@@ -9,8 +9,8 @@
 #include <string>
 
 #include "corpus/select.h"
+#include "host/file_writer.h"
 #include "spec/language/byte_source.h"
-#include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::corpus {
@@ -126,10 +126,10 @@ TEST_F(Shards, OfAnotherSeedOrDamaged) {
   const fs::path file = shard_file(folder_ / "shards", {2, 2});
   const std::string whole = spec::read_file(file);
   for (const std::string& damaged : {whole.substr(0, whole.size() / 2), std::string(), whole + "\n", "x" + whole}) {
-    spec::write_file(file, damaged);
+    host::write_file(file, damaged);
     EXPECT_NE(refusal().find("digest"), std::string::npos) << damaged.size();
   }
-  spec::write_file(file, whole);
+  host::write_file(file, whole);
   EXPECT_EQ(refusal(), "");
 }
 

@@ -12,11 +12,11 @@
 #include "certify/exactly.h"
 #include "certify/fuzzing/regression.h"
 #include "corpus/golden.h"
-#include "formal/engine.h"
 #include "fuzz/gen/generator.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 #include "spec/language/case_format.h"
 #include "spec/language/input_error.h"
+#include "spec_engine/engine.h"
 
 namespace toolcomp {
 namespace {
@@ -31,13 +31,13 @@ struct Count {
 constexpr std::array<std::string_view, 1> kNotDecided{"fanuc.tool-posture-control.744fb20d29"};
 
 void hold(const spec::Case& c, Count& count) {
-  fuzz::ModelRun run;
+  judge::ModelRun run;
   try {
-    run = fuzz::run_model(c);
+    run = judge::run_model(c);
   } catch (const spec::InputError&) {
     return;  // no control has this setup
   }
-  const formal::Run said = formal::run(c);
+  const spec_engine::Run said = spec_engine::run(c);
   if (!said.not_said.empty()) {
     ++count.not_said;
     return;
@@ -46,13 +46,13 @@ void hold(const spec::Case& c, Count& count) {
   const certify::Exactly held = certify::hold_exactly(c.setup.axes, run.events, said.events);
   EXPECT_EQ(held.undecided.empty(), std::ranges::find(kNotDecided, c.id) == kNotDecided.end()) << held.undecided << '\n'
                                                                                                << spec::write_case(c);
-  EXPECT_FALSE(held.difference) << fuzz::explain(*held.difference) << '\n' << spec::write_case(c);
+  EXPECT_FALSE(held.difference) << judge::explain(*held.difference) << '\n' << spec::write_case(c);
 }
 
 class FormalSpecification : public testing::TestWithParam<std::string> {
  protected:
   void SetUp() override {
-    if (!formal::available()) GTEST_SKIP() << "built without Coq or OCaml";
+    if (!spec_engine::available()) GTEST_SKIP() << "built without Coq or OCaml";
   }
 };
 
@@ -78,7 +78,7 @@ TEST_P(FormalSpecification, AgreesOnGeneratedCases) {
 
 // What a campaign's third voice found stays found.
 TEST(FormalSpecificationOfRegressions, AgreesOnEveryFindingThatWasFixed) {
-  if (!formal::available()) GTEST_SKIP() << "built without Coq or OCaml";
+  if (!spec_engine::available()) GTEST_SKIP() << "built without Coq or OCaml";
   Count count;
   for (const spec::Case& c : certify::fuzzing::regression_cases(TOOLCOMP_SOURCE_DIR "/corpus/regression"))
     hold(c, count);
@@ -86,11 +86,12 @@ TEST(FormalSpecificationOfRegressions, AgreesOnEveryFindingThatWasFixed) {
   EXPECT_GT(count.agree, 5U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Sections, FormalSpecification, testing::ValuesIn(formal::sections()), [](const auto& section) {
-  std::string name = section.param;
-  std::ranges::replace_if(name, [](char c) { return c == '/' || c == '-'; }, '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Sections, FormalSpecification, testing::ValuesIn(spec_engine::sections()),
+                         [](const auto& section) {
+                           std::string name = section.param;
+                           std::ranges::replace_if(name, [](char c) { return c == '/' || c == '-'; }, '_');
+                           return name;
+                         });
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(FormalSpecification);
 
 }  // namespace

@@ -12,7 +12,7 @@
 #include "corpus/check.h"
 #include "corpus/hard.h"
 #include "fuzz/gen/generator.h"
-#include "spec/language/file_writer.h"
+#include "host/file_writer.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::corpus {
@@ -125,17 +125,17 @@ TEST(HardCases, WhatCannotBeReadIsNamed) {
   const fs::path folder = fs::path(testing::TempDir()) / ("hard_" + std::to_string(::getpid()));
   EXPECT_THROW(read_hard(folder), spec::InputError) << "no such folder";
   const auto refused = [&](const std::string& manifest) {
-    spec::write_file(folder / "manifest.json", manifest);
+    host::write_file(folder / "manifest.json", manifest);
     EXPECT_THROW(read_hard(folder), spec::InputError) << manifest;
   };
   refused("{");
   refused(R"({"hard":2})");
   const std::string sections = R"({"hard":1,"sections":[{"section":"s"}],"nearest":[],"worst":[)";
   const std::string end = "]}";
-  spec::write_file(folder / "s.jsonl", "");
-  EXPECT_NO_THROW((spec::write_file(folder / "manifest.json", sections + end), read_hard(folder)));
+  host::write_file(folder / "s.jsonl", "");
+  EXPECT_NO_THROW((host::write_file(folder / "manifest.json", sections + end), read_hard(folder)));
   refused(sections + R"({"section":"s","of":"ulp","value":"1","case":"none"})" + end);
-  spec::write_file(folder / "s.jsonl", R"({"case":1,"id":"another","setup":{"control":"fanuc"},"program":"X1.\n"})");
+  host::write_file(folder / "s.jsonl", R"({"case":1,"id":"another","setup":{"control":"fanuc"},"program":"X1.\n"})");
   refused(sections + end);
   fs::remove_all(folder);
 }

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "certify/exactly.h"
-#include "formal/engine.h"
+#include "spec_engine/engine.h"
 #include "tests/golden/worked_examples.h"
 
 namespace toolcomp::corpus {
@@ -74,14 +74,15 @@ TEST_P(OldRules, IsRefusedByAVectorThoughAllEnginesFollowIt) {
     old.setup.parameters.erase(rule.parameter);
   ASSERT_FALSE(old.program == vector.program && old.setup == vector.setup);
 
-  const fuzz::Trial agreed = fuzz::try_case(old);
-  EXPECT_FALSE(agreed.verdict.difference) << fuzz::explain(*agreed.verdict.difference);
-  if (formal::available()) {
-    const certify::Exactly held = certify::hold_exactly(old.setup.axes, agreed.run.events, formal::run(old).events);
-    EXPECT_FALSE(held.difference) << fuzz::explain(*held.difference);
+  const judge::Trial agreed = judge::try_case(old);
+  EXPECT_FALSE(agreed.verdict.difference) << judge::explain(*agreed.verdict.difference);
+  if (spec_engine::available()) {
+    const certify::Exactly held =
+        certify::hold_exactly(old.setup.axes, agreed.run.events, spec_engine::run(old).events);
+    EXPECT_FALSE(held.difference) << judge::explain(*held.difference);
   }
   const std::string figures = text_of(vector.expect, vector.setup.axes);
-  EXPECT_EQ(text_of(expected_events(fuzz::run_model(vector)), vector.setup.axes), figures);
+  EXPECT_EQ(text_of(expected_events(judge::run_model(vector)), vector.setup.axes), figures);
   EXPECT_NE(text_of(expected_events(agreed.run), vector.setup.axes), figures);
 }
 

@@ -14,7 +14,7 @@
 #include "corpus/examples.h"
 #include "corpus/golden.h"
 #include "corpus/vector.h"
-#include "fuzz/oracle/trial.h"
+#include "judge/oracle/trial.h"
 
 namespace toolcomp::corpus::worked {
 
@@ -49,11 +49,11 @@ void hold(const spec::Case& c, const Look& look) {
     SCOPED_TRACE(who);
     look(events);
   };
-  const fuzz::Trial trial = fuzz::try_case(c);
-  EXPECT_FALSE(trial.found()) << fuzz::explain(trial.verdict.difference.value_or(fuzz::Difference{}));  // laws too
+  const judge::Trial trial = judge::try_case(c);
+  EXPECT_FALSE(trial.found()) << judge::explain(trial.verdict.difference.value_or(judge::Difference{}));  // laws too
   ask("the vector", c.expect);
   ask("the model", expected_events(trial.run));
-  ask("the fast engine", fuzz::run_fast(c));
+  ask("the fast engine", judge::run_fast(c));
 }
 
 // The examples of the file that have figures beside them.

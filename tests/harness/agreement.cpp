@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is said of a case that is judged while it is read is what is said of it with all events at hand.
-#include "fuzz/oracle/agreement.h"
+#include "judge/oracle/agreement.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@
 #include "spec/language/setup_format.h"
 #include "tests/effort.h"
 
-namespace toolcomp::fuzz {
+namespace toolcomp::judge {
 namespace {
 
 std::string differences(const Verdict& a, const Verdict& b) {
@@ -65,7 +65,8 @@ std::vector<spec::TextEvent> as_texts(const spec::Case& c) {
 // Nothing where streamed_agreement() is to give nothing.
 std::optional<Agreed> agreement_at_once(const spec::Case& c, const ModelRun& run,
                                         const std::vector<spec::TextEvent>* texts) {
-  Agreed whole{texts != nullptr ? judge(c, run, *texts) : judge(c, run, run_fast(c)), run.recorder.counts()};
+  Agreed whole{texts != nullptr ? judge::judge(c, run, *texts) : judge::judge(c, run, run_fast(c)),
+               run.recorder.counts()};
   const bool plain = (whole.verdict.outcome == Outcome::agrees || whole.verdict.outcome == Outcome::nothing_judged) &&
                      whole.verdict.ties == 0;
   const auto undecided = [](const model::Event& event) { return event.kind == spec::EventKind::undecided; };
@@ -84,12 +85,12 @@ std::size_t hold(const spec::Case& c) {
     const auto streamed = controller
                               ? streamed_agreement(c, texts, {}, [&](const model::Event& /*event*/) { ++events; })
                               : streamed_agreement(c);
-    EXPECT_TRUE(whole || !streamed) << encode(c);
+    EXPECT_TRUE(whole || !streamed) << fuzz::encode(c);
     if (!streamed || !whole) continue;
     ++agreed;
-    EXPECT_EQ(differences(streamed->verdict, whole->verdict), "") << encode(c);
-    EXPECT_EQ(counts(streamed->clauses), counts(whole->clauses)) << encode(c);
-    EXPECT_EQ(events, controller ? run.events.size() : 0) << encode(c);
+    EXPECT_EQ(differences(streamed->verdict, whole->verdict), "") << fuzz::encode(c);
+    EXPECT_EQ(counts(streamed->clauses), counts(whole->clauses)) << fuzz::encode(c);
+    EXPECT_EQ(events, controller ? run.events.size() : 0) << fuzz::encode(c);
   }
   return agreed;
 }
@@ -98,16 +99,16 @@ TEST(StreamedAgreement, IsThatOfAllEventsAtHand) {
   const std::uint64_t seeds = test::random_cases(40);
   std::size_t agreed = 0;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed)
-    for (const std::string_view section : sections()) {
-      SeededSource source(seed);
-      const spec::Case c = generate(section, Mode::directed, source, 60);
+    for (const std::string_view section : fuzz::sections()) {
+      fuzz::SeededSource source(seed);
+      const spec::Case c = fuzz::generate(section, fuzz::Mode::directed, source, 60);
       try {
         agreed += hold(c);
       } catch (const spec::InputError&) {
         continue;
       }
     }
-  EXPECT_GT(agreed, seeds * sections().size());
+  EXPECT_GT(agreed, seeds * fuzz::sections().size());
 }
 
 // Over several times the while for which decisions are kept.
@@ -168,4 +169,4 @@ TEST(StreamedAgreement, IsNoneWithATextThatIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace toolcomp::fuzz
+}  // namespace toolcomp::judge

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sweep and radii of an arc as they are between the heads a controller has; worked out by hand.
-#include "fuzz/oracle/arc_fit.h"
+#include "judge/oracle/arc_fit.h"
 
 #include <gtest/gtest.h>
 
 #include <tuple>
 
-namespace toolcomp::fuzz {
+namespace toolcomp::judge {
 namespace {
 
 using exact::Real;
@@ -91,4 +91,4 @@ TEST(ArcFit, NothingWhereAHeadIsOffByARightAngle) {
 }
 
 }  // namespace
-}  // namespace toolcomp::fuzz
+}  // namespace toolcomp::judge

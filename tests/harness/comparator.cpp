@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "certify/convert.h"
-#include "fuzz/oracle/policy.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/policy.h"
+#include "judge/oracle/verdict.h"
 
-namespace toolcomp::fuzz {
+namespace toolcomp::judge {
 namespace {
 
 using exact::Rational;
@@ -127,7 +127,7 @@ ModelRun expected() {
 }
 
 Verdict verdict(const std::vector<fast::Event>& actual, const JudgeOptions& options = {}) {
-  return judge(plain_case(), expected(), actual, options);
+  return judge::judge(plain_case(), expected(), actual, options);
 }
 
 // A wrong answer, and the field in which it is wrong; empty: the list itself.
@@ -269,7 +269,7 @@ std::vector<spec::Event<Number>> moves_of(std::vector<spec::Event<Number>> event
 bool only_samples_differ(const std::vector<fast::Event>& actual) {
   ModelRun run;
   run.events = moves_of(events<Real>());
-  return judge(plain_case(), run, moves_of(actual)).outcome == Outcome::agrees;
+  return judge::judge(plain_case(), run, moves_of(actual)).outcome == Outcome::agrees;
 }
 
 // The battery above measures the comparator only if it would miss something with a step left out: one that skips a
@@ -387,7 +387,7 @@ TEST(Comparator, GrantsALongVectorItsCondition) {
   const auto off_by = [&](std::size_t event, double distance) {
     std::vector<fast::Event> actual = right;
     actual[event].point.value[0] += distance;
-    return judge(c, run, actual).outcome;
+    return judge::judge(c, run, actual).outcome;
   };
   for (const double sign : {-1.0, 1.0}) {
     EXPECT_EQ(off_by(1, sign * k * 1000 * policy::ulp(20'000)), Outcome::agrees);
@@ -504,12 +504,13 @@ std::string exponent(double x) {
 
 TEST(Comparator, JudgesTextsExactly) {
   const spec::Case c = plain_case();
-  EXPECT_EQ(judge(c, expected(), std::span<const spec::TextEvent>(as_text(three_decimals))).outcome, Outcome::agrees);
-  EXPECT_EQ(judge(c, expected(), std::span<const spec::TextEvent>(as_text(exponent))).outcome, Outcome::agrees);
+  EXPECT_EQ(judge::judge(c, expected(), std::span<const spec::TextEvent>(as_text(three_decimals))).outcome,
+            Outcome::agrees);
+  EXPECT_EQ(judge::judge(c, expected(), std::span<const spec::TextEvent>(as_text(exponent))).outcome, Outcome::agrees);
   // 1e-20 is no double's distance from 100, and is seen all the same where the policy grants nothing: a feed.
   std::vector<spec::TextEvent> events = as_text(three_decimals);
   events[1].feed->v = "1000.00000000000000000001";
-  const Verdict v = judge(c, expected(), std::span<const spec::TextEvent>(events));
+  const Verdict v = judge::judge(c, expected(), std::span<const spec::TextEvent>(events));
   ASSERT_EQ(v.outcome, Outcome::differs);
   EXPECT_EQ(v.difference->field, "feed");
 }
@@ -519,17 +520,18 @@ Resolution all_of(double r, Rounding rounding = Rounding::unknown) { return {r, 
 TEST(Comparator, AResolutionGrantsOneIncrement) {
   const spec::Case c = plain_case();
   const std::vector<spec::TextEvent> coarse = as_text(two_decimals);  // eighths lose 0.005
-  EXPECT_EQ(judge(c, expected(), std::span<const spec::TextEvent>(coarse)).outcome, Outcome::differs);
-  EXPECT_EQ(judge(c, expected(), std::span<const spec::TextEvent>(coarse), {{}, all_of(0.01)}).outcome,
+  EXPECT_EQ(judge::judge(c, expected(), std::span<const spec::TextEvent>(coarse)).outcome, Outcome::differs);
+  EXPECT_EQ(judge::judge(c, expected(), std::span<const spec::TextEvent>(coarse), {{}, all_of(0.01)}).outcome,
             Outcome::agrees);
-  EXPECT_EQ(judge(c, expected(), std::span<const spec::TextEvent>(coarse), {{}, all_of(0.001)}).outcome,
+  EXPECT_EQ(judge::judge(c, expected(), std::span<const spec::TextEvent>(coarse), {{}, all_of(0.001)}).outcome,
             Outcome::differs);
 }
 
 // Where the controller says how it rounds, only that passes. two_decimals() goes to nearest.
 TEST(Comparator, ARoundingThatIsAnnounced) {
   const auto judged = [](const std::vector<spec::TextEvent>& events, Rounding rounding) {
-    return judge(plain_case(), expected(), std::span<const spec::TextEvent>(events), {{}, all_of(0.01, rounding)})
+    return judge::judge(plain_case(), expected(), std::span<const spec::TextEvent>(events),
+                        {{}, all_of(0.01, rounding)})
         .outcome;
   };
   EXPECT_EQ(judged(as_text(two_decimals), Rounding::nearest), Outcome::agrees);
@@ -551,11 +553,11 @@ TEST(Comparator, AResolutionIsOfItsUnit) {
   inch.setup.units = spec::Units::inch;
   std::vector<fast::Event> off = events<double>();
   off[1].axes.value[0] += 0.001;
-  const auto judged = [&](const Resolution& r) { return judge(inch, expected(), off, {{}, r}).outcome; };
+  const auto judged = [&](const Resolution& r) { return judge::judge(inch, expected(), off, {{}, r}).outcome; };
   EXPECT_EQ(judged({.mm = 0.01, .degrees = 0.01}), Outcome::differs);
   EXPECT_EQ(judged({.inch = 0.0001}), Outcome::differs);
   EXPECT_EQ(judged({.inch = 0.001}), Outcome::agrees);
-  const Verdict v = judge(inch, expected(), off, {{}, {.inch = 0.002}});
+  const Verdict v = judge::judge(inch, expected(), off, {{}, {.inch = 0.002}});
   EXPECT_EQ(v.bias.count, 1U);
   EXPECT_NEAR(v.bias.worst, 25.4, 0.001);
 }
@@ -564,7 +566,7 @@ TEST(Comparator, ATextThatIsNoNumberIsADifference) {
   for (const std::string text : {"", "1,5", "0x10", "nan", "1e999", "--1", "1.", ".5", "1 ", "1e"}) {
     std::vector<spec::TextEvent> events = as_text(three_decimals);
     events[1].point.value[0].v = text;
-    const Verdict v = judge(plain_case(), expected(), std::span<const spec::TextEvent>(events));
+    const Verdict v = judge::judge(plain_case(), expected(), std::span<const spec::TextEvent>(events));
     ASSERT_EQ(v.outcome, Outcome::differs) << text;
     EXPECT_EQ(v.difference->kind, "malformed number") << text;
     EXPECT_EQ(v.difference->line, 2U) << text;
@@ -573,21 +575,21 @@ TEST(Comparator, ATextThatIsNoNumberIsADifference) {
 
 TEST(Comparator, NothingJudgedIsNoAgreement) {
   ModelRun nothing;
-  EXPECT_EQ(judge(plain_case(), nothing, std::span<const fast::Event>()).outcome, Outcome::nothing_judged);
+  EXPECT_EQ(judge::judge(plain_case(), nothing, std::span<const fast::Event>()).outcome, Outcome::nothing_judged);
   // Only fields that no event has.
   ModelRun one;
   one.events = {events<Real>()[1]};
   const std::vector<fast::Event> actual = {events<double>()[1]};
-  EXPECT_EQ(judge(plain_case(), one, actual, {{"sweep"}, {}}).outcome, Outcome::nothing_judged);
+  EXPECT_EQ(judge::judge(plain_case(), one, actual, {{"sweep"}, {}}).outcome, Outcome::nothing_judged);
 }
 
 TEST(Comparator, AnUndecidedModelIsUndecidedButNotBeforeADifference) {
   ModelRun run = expected();
   run.events[4].kind = spec::EventKind::undecided;
   std::vector<fast::Event> actual = events<double>();
-  EXPECT_EQ(judge(plain_case(), run, actual).outcome, Outcome::undecided);
+  EXPECT_EQ(judge::judge(plain_case(), run, actual).outcome, Outcome::undecided);
   actual[1].point.value[0] += 1;
-  EXPECT_EQ(judge(plain_case(), run, actual).outcome, Outcome::differs);
+  EXPECT_EQ(judge::judge(plain_case(), run, actual).outcome, Outcome::differs);
 }
 
 // A controller that does not announce `t` may give samples or none.
@@ -615,17 +617,17 @@ TEST(Comparator, RadiiOfAnArcMayBeOneWhereTheyHardlyDiffer) {
   one[2].arc->radius.reset();
   const Real first = expected().events[2].arc->radius->first;
   const Real hair = Real(1) / Real(1'000'000'000);
-  EXPECT_EQ(judge(plain_case(), radii(first + hair * hair), one).outcome, Outcome::agrees);
-  EXPECT_EQ(judge(plain_case(), radii(first + hair), one).outcome, Outcome::differs);
+  EXPECT_EQ(judge::judge(plain_case(), radii(first + hair * hair), one).outcome, Outcome::agrees);
+  EXPECT_EQ(judge::judge(plain_case(), radii(first + hair), one).outcome, Outcome::differs);
   // The other way round.
   ModelRun equal = expected();
   equal.events[2].arc->radius.reset();
   std::vector<fast::Event> two = events<double>();
   two[2].arc->radius->second = std::nextafter(two[2].arc->radius->first, 1000.0);
-  EXPECT_EQ(judge(plain_case(), equal, two).outcome, Outcome::agrees);
+  EXPECT_EQ(judge::judge(plain_case(), equal, two).outcome, Outcome::agrees);
   two[2].arc->radius->second += kSmall;
-  EXPECT_EQ(judge(plain_case(), equal, two).outcome, Outcome::differs);
+  EXPECT_EQ(judge::judge(plain_case(), equal, two).outcome, Outcome::differs);
 }
 
 }  // namespace
-}  // namespace toolcomp::fuzz
+}  // namespace toolcomp::judge

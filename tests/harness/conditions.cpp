@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Condition numbers of heads, on events made by hand: expected values are the derivatives of the formulas of the
 // clauses.
-#include "fuzz/oracle/condition.h"
+#include "judge/oracle/condition.h"
 
 #include <gtest/gtest.h>
 
@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "certify/convert.h"
-#include "fuzz/oracle/policy.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/policy.h"
+#include "judge/oracle/verdict.h"
 
-namespace toolcomp::fuzz {
+namespace toolcomp::judge {
 namespace {
 
 using exact::Rational;
@@ -160,7 +160,7 @@ TEST(Conditions, AHeadBesideItsLinesIsFound) {
         values->set((by + 1) % 3, values->value.at((by + 1) % 3) + across);
         values->set((by + 2) % 3, values->value.at((by + 2) % 3) + out);
       }
-      return judge(c, run, actual, options).outcome == Outcome::agrees;
+      return judge::judge(c, run, actual, options).outcome == Outcome::agrees;
     };
     EXPECT_TRUE(agrees(0, 0)) << by;
     EXPECT_TRUE(agrees(1e-4, 0)) << by;
@@ -288,7 +288,7 @@ TEST(Conditions, AnArcThatStartsAtAHeadThatSlides) {
     for (spec::AxisValues<double>* values : {&actual[1].point, &actual[1].axes})
       values->set(0, values->value.at(0) + slide);
     *actual[2].arc->sweep += turned;
-    return judge(c, run, actual).outcome == Outcome::agrees;
+    return judge::judge(c, run, actual).outcome == Outcome::agrees;
   };
   EXPECT_TRUE(agrees(0, 0));
   EXPECT_TRUE(agrees(1e-8, degrees * 1e-9));
@@ -448,7 +448,7 @@ TEST(Conditions, AHeadBesideItsLinesIsFoundBesideATiltedTool) {
         values->set(1, values->value.at(1) + std::stod(s1) * along + std::stod(c1) * across);
         values->set(2, values->value.at(2) - 0.6 * x + 0.8 * out);
       }
-      return judge(c, run, actual).outcome == Outcome::agrees;
+      return judge::judge(c, run, actual).outcome == Outcome::agrees;
     };
     EXPECT_TRUE(agrees(0, 0)) << s1;
     EXPECT_TRUE(agrees(1e-4, 0)) << s1;
@@ -583,4 +583,4 @@ TEST(Conditions, OfTheSectionThatMakesTheVector) {
 }
 
 }  // namespace
-}  // namespace toolcomp::fuzz
+}  // namespace toolcomp::judge

@@ -12,14 +12,14 @@
 #include <set>
 #include <string>
 
-#include "certify/campaign.h"
+#include "certify/certification.h"
 #include "certify/program_text.h"
 #include "certify/replay.h"
 #include "certify/report.h"
 #include "certify/selection.h"
 #include "fuzz/campaign/features.h"
 #include "fuzz/gen/generator.h"
-#include "spec/language/file_writer.h"
+#include "host/file_writer.h"
 #include "spec/language/input_error.h"
 #include "tests/effort.h"
 
@@ -33,8 +33,8 @@ std::string faulty(const std::string& fault, const std::string& text = "") {
   return text.empty() ? command : command + " '" + text + "'";
 }
 
-CampaignOptions options(const std::string& controller) {
-  CampaignOptions o;
+CertificationOptions options(const std::string& controller) {
+  CertificationOptions o;
   o.controller = controller;
   o.sections = {"fanuc/tool-length-offset"};
   o.generated = 40;
@@ -79,7 +79,7 @@ class Misbehaves : public testing::TestWithParam<Misbehaviour> {};
 
 TEST_P(Misbehaves, GivesATypedFindingThatReplayReproduces) {
   const Misbehaviour& m = GetParam();
-  CampaignOptions o = options(faulty(m.fault));
+  CertificationOptions o = options(faulty(m.fault));
   // Most of them end the process, and under sanitizers one takes a while to begin.
   if (test::kSanitized) o.generated = 16;
   // 200 MB come: the default limit would read a third of them each time.
@@ -129,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 TEST(Controller, StandardErrorOfACrashIsKept) {
-  CampaignOptions o = options(faulty("exit"));
+  CertificationOptions o = options(faulty("exit"));
   o.shrink_runs = 0;
   const Certificate c = certify::certify(o);
   ASSERT_FALSE(c.findings.empty());
@@ -142,7 +142,7 @@ TEST(Controller, StandardErrorOfACrashIsKept) {
 // finding keeps the six requests before it, and replay asks them again.
 TEST(Controller, AFaultBehindOtherRequestsKeepsThem) {
   for (const char* fault : {"seventh-exit", "seventh-drop-event"}) {
-    CampaignOptions o = options(faulty(fault));
+    CertificationOptions o = options(faulty(fault));
     o.shrink_runs = 20;
     const Certificate c = certify::certify(o);
     EXPECT_EQ(section(c).count(Result::not_run), 0U) << fault;
@@ -162,7 +162,7 @@ TEST(Controller, AFaultBehindOtherRequestsKeepsThem) {
       Finding alone = f;
       alone.before.clear();
       const auto file = report / "alone.json";
-      spec::write_file(file, write_finding(alone));
+      host::write_file(file, write_finding(alone));
       EXPECT_EQ(replay(file).judgement.result, Result::agrees) << fault;
     }
   }
@@ -170,7 +170,7 @@ TEST(Controller, AFaultBehindOtherRequestsKeepsThem) {
 
 // What comes by chance is kept, with how often it came.
 TEST(Controller, AFaultByChanceIsKeptWithItsShare) {
-  CampaignOptions o = options(faulty("sometimes-drop-event"));
+  CertificationOptions o = options(faulty("sometimes-drop-event"));
   o.shrink_runs = 20;
   std::uint64_t seen = 0;
   std::uint64_t tried = 0;
@@ -193,7 +193,7 @@ TEST(Controller, AFaultByChanceIsKeptWithItsShare) {
 
 // Found at once, and again where a smaller program shows the same: each time as a file that replay takes.
 TEST(Controller, FindingsAreToldAsTheyAreSeen) {
-  CampaignOptions o = options(faulty("drop-event"));
+  CertificationOptions o = options(faulty("drop-event"));
   std::vector<Finding> told;
   o.found = [&told](const Finding& f) { told.push_back(f); };
   const Certificate c = certify::certify(o);
@@ -208,7 +208,7 @@ TEST(Controller, FindingsAreToldAsTheyAreSeen) {
 
 // An end that was asked for keeps all there is, and says what is missing.
 TEST(Controller, AnEndBeforeAllIsDone) {
-  CampaignOptions o = options(faulty("drop-event"));
+  CertificationOptions o = options(faulty("drop-event"));
   std::uint64_t done = 0;
   o.progress = [&done](std::uint64_t now, std::uint64_t) { done = now; };
   o.stop = [&done] { return done < 10 ? std::string() : std::string("enough"); };
@@ -244,7 +244,7 @@ TEST(Controller, IsRestartedAfterACrash) {
 }
 
 TEST(Controller, RepeatedHangsEndASectionEarly) {
-  CampaignOptions o = options(faulty("hang"));
+  CertificationOptions o = options(faulty("hang"));
   o.shrink_runs = 0;
   const Certificate c = certify::certify(o);
   EXPECT_EQ(section(c).count(Result::differs), 2U);
@@ -286,7 +286,7 @@ TEST(Controller, CasesAgainstItsFixedSetupDoNotApply) {
 }
 
 TEST(Controller, SectionsItDoesNotAnnounceDoNotApply) {
-  CampaignOptions o = options(faulty("one-section"));
+  CertificationOptions o = options(faulty("one-section"));
   o.sections = {"fanuc/leading-edge-offset"};
   const Certificate c = certify::certify(o);
   EXPECT_EQ(section(c).count(Result::not_applicable), section(c).total());
@@ -299,8 +299,8 @@ TEST(Controller, ACommandThatIsNotThereIsBadUsage) {
 
 // The same seed gives the same certificate, with one job or three.
 TEST(Controller, TheCertificateIsDeterministic) {
-  CampaignOptions one = options(faulty("drop-event"));
-  CampaignOptions three = one;
+  CertificationOptions one = options(faulty("drop-event"));
+  CertificationOptions three = one;
   three.jobs = 3;
   const Certificate a = certify::certify(one);
   EXPECT_EQ(json_report(a), json_report(certify::certify(one)));
@@ -311,7 +311,7 @@ TEST(Controller, TheCertificateIsDeterministic) {
 TEST(Controller, ACoarseResolutionMustBeAccepted) {
   EXPECT_EQ(exit_status(certify::certify(options(faulty("coarse")))), 0);
   for (const std::string fault : {"very-coarse", "very-coarse-inch"}) {
-    CampaignOptions o = options(faulty(fault));
+    CertificationOptions o = options(faulty(fault));
     EXPECT_THROW(certify::certify(o), spec::InputError) << fault;
     o.accepted_resolution = "0.0009";
     EXPECT_THROW(certify::certify(o), spec::InputError) << fault;
@@ -340,7 +340,7 @@ TEST(Controller, AFieldAnnouncedAndNeverSentIsAFinding) {
 std::size_t features_of(const std::vector<spec::Case>& cases) {
   std::set<std::uint32_t> reached;
   for (const spec::Case& c : cases) {
-    const std::vector<std::uint32_t> features = fuzz::features(fuzz::run_model(c).recorder);
+    const std::vector<std::uint32_t> features = fuzz::features(judge::run_model(c).recorder);
     reached.insert(features.begin(), features.end());
   }
   return reached.size();
@@ -368,13 +368,13 @@ TEST(Selection, IsTheSameForASeedAndReachesWhatRandomCasesDoNot) {
 }
 
 TEST(Controller, AnUnknownSectionIsBadUsage) {
-  CampaignOptions o = options("");
+  CertificationOptions o = options("");
   o.sections = {"fanuc/no-such-section"};
   EXPECT_THROW(certify::certify(o), spec::InputError);
 }
 
 TEST(Controller, TheBuiltInEngineConforms) {
-  CampaignOptions o = options("");
+  CertificationOptions o = options("");
   o.sections.clear();
   std::uint64_t done = 0;
   o.progress = [&done](std::uint64_t now, std::uint64_t) { done = now; };

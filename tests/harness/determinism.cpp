@@ -10,8 +10,8 @@
 #include "fuzz/campaign/driver.h"
 #include "fuzz/campaign/features.h"
 #include "fuzz/gen/encode.h"
-#include "fuzz/oracle/number.h"
-#include "fuzz/oracle/trial.h"
+#include "judge/oracle/number.h"
+#include "judge/oracle/trial.h"
 #include "tests/effort.h"
 
 namespace toolcomp::fuzz {
@@ -19,7 +19,7 @@ namespace {
 
 // Everything a trial shows, bit for bit.
 std::string digest(const spec::Case& c) {
-  const Trial t = try_case(c);
+  const judge::Trial t = judge::try_case(c);
   std::string text =
       fmt::format("{} {} {} {} {} {:a} {:a}\n", static_cast<int>(t.acceptance), static_cast<int>(t.verdict.outcome),
                   t.verdict.values, t.verdict.decisions, t.verdict.near_ties, t.verdict.worst_ulp, t.verdict.worst_um);
@@ -28,8 +28,8 @@ std::string digest(const spec::Case& c) {
     for (std::size_t i = 0; i < spec::kMaxAxes; ++i)
       if (e.point.has(i)) text += e.point[i].decimal(20) + ' ';
   for (const std::uint32_t feature : features(t.run.recorder)) text += fmt::format("{} ", feature);
-  if (t.acceptance != Acceptance::accepted) return text;
-  for (const fast::Event& e : run_fast(c))
+  if (t.acceptance != judge::Acceptance::accepted) return text;
+  for (const fast::Event& e : judge::run_fast(c))
     for (std::size_t i = 0; i < spec::kMaxAxes; ++i)
       if (e.axes.has(i)) text += fmt::format("{:a} ", e.axes[i]);
   return text;

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "fuzz/gen/generator.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_key.h"
 #include "tests/effort.h"
@@ -34,7 +34,7 @@ std::uint64_t line_count(const spec::Case& c) {
 }
 
 void look_at(const spec::Case& c, Seen& seen) {
-  const ModelRun run = run_model(c);
+  const judge::ModelRun run = judge::run_model(c);
   std::size_t judged = 0;
   for (const model::Event& event : run.events) {
     if (event.kind == spec::EventKind::undecided) break;
@@ -125,7 +125,7 @@ TEST(Generators, ReachArcsOfManyMetres) {
       SeededSource source(seed);
       const spec::Case c = generate(section, Mode::directed, source);
       try {
-        for (const model::Event& event : run_model(c).events) {
+        for (const model::Event& event : judge::run_model(c).events) {
           if (event.kind != spec::EventKind::move || !event.arc || !event.arc->sweep) continue;
           // Half a degree and less: of a chord of millimetres that is a radius of metres.
           huge += event.arc->sweep->double_enclosure().upper < 0.5 ? 1 : 0;
@@ -151,7 +151,7 @@ TEST(Generators, KlartextProgramsDrill) {
       const spec::Case c = generate(section, Mode::directed, source);
       const model::Event* before = nullptr;
       bool drills = false;
-      const ModelRun run = run_model(c);
+      const judge::ModelRun run = judge::run_model(c);
       for (const model::Event& event : run.events) {
         if (event.hole) {
           drills = true;

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <vector>
 
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 #include "tests/harness/liar.h"
 
-namespace toolcomp::fuzz {
+namespace toolcomp::judge {
 namespace {
 
 using Plane = std::array<double, 2>;
@@ -57,18 +57,18 @@ TEST(HeadsBeforeAlarms, AreJudgedByTheBlockThatPlacedThem) {
       events[2].point.set(axis, plain.at(axis));
       events[2].axes.set(axis, plain.at(axis));
     }
-    const Verdict v = judge(c, run, events);
+    const Verdict v = judge::judge(c, run, events);
     EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
     // An ulp of 1 in a normal moves the head by 2 · 2000/1e-4 of it: 32 · 4e7 · 2^-52 = 2.9e-7 along A.
     for (const double by : {1e-6, -1e-6}) {
       std::vector<fast::Event> liar = events;
       liar[2].point.set(0, plain[0] + 0.6 * by);
       liar[2].point.set(1, plain[1] + 0.8 * by);
-      EXPECT_EQ(judge(c, run, liar).outcome, Outcome::differs);
+      EXPECT_EQ(judge::judge(c, run, liar).outcome, Outcome::differs);
     }
   }
   EXPECT_GT(farthest, 1e-10) << "32 ulps of 5000 and 2000 are 4e-11";
 }
 
 }  // namespace
-}  // namespace toolcomp::fuzz
+}  // namespace toolcomp::judge

@@ -14,8 +14,8 @@
 #include "fuzz/campaign/target.h"
 #include "fuzz/gen/encode.h"
 #include "fuzz/gen/generator.h"
-#include "fuzz/oracle/policy.h"
-#include "fuzz/oracle/trial.h"
+#include "judge/oracle/policy.h"
+#include "judge/oracle/trial.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -63,7 +63,7 @@ TEST(Inventory, EverySectionHasItsTwinTargetsAndARowOfThePolicy) {
       EXPECT_NE(source.find(mode == Mode::directed ? "Mode::directed" : "Mode::unrestricted"), std::string::npos)
           << name;
     }
-    EXPECT_EQ(policy::budget(section).section, section);
+    EXPECT_EQ(judge::policy::budget(section).section, section);
   }
 }
 
@@ -88,10 +88,10 @@ TEST(Inventory, EverySeedOfASectionIsACaseOnWhichTheEnginesAgree) {
            fs::directory_iterator(root() / "corpus/seeds" / dialect(section) / twin(section, mode))) {
         const spec::Case c = decode(section, contents(entry.path()));
         EXPECT_FALSE(c.program.empty()) << entry.path();
-        const Trial t = try_case(c);
+        const judge::Trial t = judge::try_case(c);
         EXPECT_FALSE(t.found()) << entry.path() << ": " << explain(*t.verdict.difference);
         if (mode == Mode::directed) {
-          EXPECT_EQ(t.acceptance, Acceptance::accepted) << entry.path();
+          EXPECT_EQ(t.acceptance, judge::Acceptance::accepted) << entry.path();
         }
       }
 }

@@ -10,9 +10,9 @@
 
 #include "certify/convert.h"
 #include "corpus/golden.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 
-namespace toolcomp::fuzz {
+namespace toolcomp::judge {
 namespace {
 
 using spec::EventKind;
@@ -51,7 +51,7 @@ std::vector<Honest> vectors(const std::string& section, const KnownSet& known) {
 }
 
 Verdict judged(const Honest& honest, const std::vector<spec::Event<double>>& answer, const KnownSet& known) {
-  return judge(honest.c, honest.run, answer, {{}, {}, known});
+  return judge::judge(honest.c, honest.run, answer, {{}, {}, known});
 }
 
 class KnownSections : public testing::TestWithParam<std::string> {};
@@ -155,4 +155,4 @@ TEST(KnownClauses, AnAlarmMoreEndsWhatIsJudged) {
 }
 
 }  // namespace
-}  // namespace toolcomp::fuzz
+}  // namespace toolcomp::judge

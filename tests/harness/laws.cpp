@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The third voice: every law holds for right events and breaks for wrong ones, and finds a wrong clause that both
 // engines follow. Programs are worked examples; the events broken are the model's, changed by hand.
-#include "fuzz/laws/laws.h"
+#include "judge/laws/laws.h"
 
 #include <gtest/gtest.h>
 
@@ -14,11 +14,11 @@
 #include "certify/judge.h"
 #include "fuzz/faults/wrong_clauses.h"
 #include "fuzz/gen/generator.h"
-#include "fuzz/laws/changed_program.h"
-#include "fuzz/laws/numbers.h"
-#include "fuzz/oracle/trial.h"
+#include "judge/laws/changed_program.h"
+#include "judge/laws/numbers.h"
+#include "judge/oracle/trial.h"
 
-namespace toolcomp::fuzz {
+namespace toolcomp::judge {
 namespace {
 
 using exact::Real;
@@ -607,7 +607,7 @@ TEST(Laws, OfMovedOriginsAreNotAskedWhereCoordinatesAreKept) {
 TEST(Laws, ABrokenLawIsADifference) {
   const spec::Case c = rounded_corner();
   ModelRun run = run_model(c);
-  Verdict verdict = judge(c, run, run_fast(c));
+  Verdict verdict = judge::judge(c, run, run_fast(c));
   ASSERT_EQ(verdict.outcome, Outcome::agrees);
   EXPECT_GT(hold_laws(c, run, verdict), 0U);
   EXPECT_EQ(verdict.outcome, Outcome::agrees);
@@ -633,15 +633,15 @@ TEST(Laws, ABrokenLawIsADifference) {
 // With one wrong clause in both engines the verdict agrees, and its law finds it (others may find it sooner).
 TEST(Laws, FindWrongClausesThatBothEnginesFollow) {
   std::set<std::string_view> sections;
-  for (const WrongClause& wrong : wrong_clauses()) {
+  for (const fuzz::WrongClause& wrong : fuzz::wrong_clauses()) {
     SCOPED_TRACE(wrong.name);
     sections.insert(wrong.section);
     std::uint64_t executions = 0;
     std::string found;
     while (found.empty() && executions < wrong.budget) {
-      SeededSource source(++executions);
-      const spec::Case c = generate(wrong.section, Mode::directed, source);
-      const Trial trial = try_wrong(wrong, c);
+      fuzz::SeededSource source(++executions);
+      const spec::Case c = fuzz::generate(wrong.section, fuzz::Mode::directed, source);
+      const Trial trial = fuzz::try_wrong(wrong, c);
       if (!trial.found()) continue;
       // What is found without the fault by another law is none of the fault's.
       if (const Trial right = try_case(c); right.found() && right.verdict.difference->field != wrong.law) continue;
@@ -656,4 +656,4 @@ TEST(Laws, FindWrongClausesThatBothEnginesFollow) {
 }
 
 }  // namespace
-}  // namespace toolcomp::fuzz
+}  // namespace toolcomp::judge

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "certify/convert.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 
 namespace toolcomp::test {
 
@@ -144,13 +144,13 @@ std::vector<Place> places(std::vector<spec::Event<Number>>& events, const spec::
   return all;
 }
 
-inline std::vector<spec::Event<double>> in_doubles(const fuzz::ModelRun& run) {
+inline std::vector<spec::Event<double>> in_doubles(const judge::ModelRun& run) {
   std::vector<spec::Event<double>> events;
   for (const model::Event& event : run.events) events.push_back(certify::in_double(event));
   return events;
 }
 
-inline std::vector<spec::TextEvent> in_texts(const fuzz::ModelRun& run) {
+inline std::vector<spec::TextEvent> in_texts(const judge::ModelRun& run) {
   constexpr int kDigits = 40;  // as toolcomp serve --engine model has them
   std::vector<spec::TextEvent> events;
   for (const model::Event& event : run.events) events.push_back(certify::in_text(event, kDigits));

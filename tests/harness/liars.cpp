@@ -18,12 +18,12 @@
 
 #include "certify/selection.h"
 #include "fuzz/gen/generator.h"
-#include "fuzz/oracle/number.h"
-#include "fuzz/oracle/pairing.h"
+#include "judge/oracle/number.h"
+#include "judge/oracle/pairing.h"
 #include "tests/effort.h"
 #include "tests/harness/liar.h"
 
-namespace toolcomp::fuzz {
+namespace toolcomp::judge {
 namespace {
 
 std::size_t number_of_cases() {
@@ -80,7 +80,7 @@ bool is_there(Where where, const spec::Case& c, const spec::Event<double>& e) {
 
 template <class Event>
 Verdict judged(const Honest& honest, const std::vector<Event>& answer) {
-  return judge(honest.c, honest.run, std::span<const Event>(answer));
+  return judge::judge(honest.c, honest.run, std::span<const Event>(answer));
 }
 
 // How far a value may lie off, in micrometres; what turns counts as what it moves at one metre. Of a field of an event
@@ -159,7 +159,7 @@ struct Told {
 };
 
 template <class Event>
-void tell(const Honest& honest, std::vector<Event> answer, const Liar& liar, SeededSource& source, Told& result) {
+void tell(const Honest& honest, std::vector<Event> answer, const Liar& liar, fuzz::SeededSource& source, Told& result) {
   auto all = test::places(answer, honest.c.setup.axes);
   std::erase_if(all, [&](const test::Place& place) {
     return place.name() != liar.field || !is_there(liar.where, honest.c, honest.doubles[place.event]);
@@ -181,7 +181,7 @@ void tell(const Honest& honest, std::vector<Event> answer, const Liar& liar, See
 }
 
 // Lies in one case of a hundred, in the first that has the place it wants.
-Told lie_in_cases(const std::vector<Honest>& cases, const Liar& liar, SeededSource& source) {
+Told lie_in_cases(const std::vector<Honest>& cases, const Liar& liar, fuzz::SeededSource& source) {
   const std::size_t lies = (cases.size() + 99) / 100;
   const std::size_t first = source.below(cases.size());
   Told result;
@@ -236,7 +236,7 @@ TEST_P(Liars, AreFoundAndTheModelIsNotAccused) {
   std::map<Where, std::size_t> told_at;
   std::set<std::string> told_in;
   const std::vector<std::string> names(fields.begin(), fields.end());
-  SeededSource source(GetParam().size() * 1000 + honests.size());
+  fuzz::SeededSource source(GetParam().size() * 1000 + honests.size());
   // Every field comes before any comes twice; those that have no place there take any.
   for (std::size_t k = 0; made < kLiars && k < 8 * kLiars; ++k) {
     Liar liar{names[k % names.size()], kLies[(k / names.size() + k) % std::size(kLies)], source.below(2) == 0,
@@ -283,7 +283,7 @@ TEST_P(Liars, AreFoundAndTheModelIsNotAccused) {
 // may: so many of eight, or all those that choose between rotary
 // positions. Nothing where none was.
 constexpr std::uint64_t kPositions = 0;
-std::optional<ModelRun> decided_otherwise(const spec::Case& c, SeededSource& source, std::uint64_t of_eight) {
+std::optional<ModelRun> decided_otherwise(const spec::Case& c, fuzz::SeededSource& source, std::uint64_t of_eight) {
   const auto chooses_position = [](spec::Clause clause) {
     return policy::compares_positions(clause) ||
            clause == spec::Clause::fanuc_tool_center_point_parallel_to_the_work_side;
@@ -319,7 +319,7 @@ std::optional<ModelRun> decided_otherwise(const spec::Case& c, SeededSource& sou
 // Not even those that take another rotary position wherever one is as good (at a singular posture, the other one), or
 // all of their near ties otherwise.
 TEST_P(Liars, WhoDecideNearTiesOtherwiseAreNotAccused) {
-  SeededSource source(GetParam().size());
+  fuzz::SeededSource source(GetParam().size());
   std::size_t controllers = 0;
   std::size_t undecided = 0;
   std::size_t of_position = 0;
@@ -343,7 +343,7 @@ TEST_P(Liars, WhoDecideNearTiesOtherwiseAreNotAccused) {
   EXPECT_LE(100 * undecided, controllers);
 }
 
-INSTANTIATE_TEST_SUITE_P(Sections, Liars, testing::ValuesIn(sections().begin(), sections().end()),
+INSTANTIATE_TEST_SUITE_P(Sections, Liars, testing::ValuesIn(fuzz::sections().begin(), fuzz::sections().end()),
                          [](const auto& section) {
                            std::string name(section.param);
                            std::ranges::replace_if(name, [](char c) { return c == '/' || c == '-'; }, '_');
@@ -387,4 +387,4 @@ TEST(Singular, AControlMayTakeTheOtherWorkSidePosition) {
 }
 
 }  // namespace
-}  // namespace toolcomp::fuzz
+}  // namespace toolcomp::judge

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Long programs in a campaign: judged while they are read, as short ones are with all events at hand.
+// Long programs in a certification: judged while they are read, as short ones are with all events at hand.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "certify/campaign.h"
+#include "certify/certification.h"
 #include "certify/event_fields.h"
 #include "certify/long_program.h"
 #include "corpus/freeform.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 #include "spec/language/event_map.h"
 #include "spec/language/setup_format.h"
 #include "tests/effort.h"
@@ -30,10 +30,10 @@ class Texts final : public Subject {
   Answer run(const spec::Case& c, std::optional<std::chrono::milliseconds> /*patience*/) override {
     TextEvents texts;
     Answer answer;
-    for (const fast::Event& event : fuzz::run_fast(c))
+    for (const fast::Event& event : judge::run_fast(c))
       texts.push_back(spec::map_numbers<spec::NumberText>(
           event, [](double number) { return spec::NumberText{fmt::format("{}", number), {}, {}}; }));
-    for (const model::Event& event : fuzz::run_model(c).events) answer.sent.add(fields_of(event));
+    for (const model::Event& event : judge::run_model(c).events) answer.sent.add(fields_of(event));
     if (wrong_ && !texts.empty() && texts.back().axes.has(0))
       texts.back().axes.set(0, {fmt::format("{}", std::stod(texts.back().axes[0].v) + 1), {}, {}});
     answer.result = std::move(texts);
@@ -58,8 +58,8 @@ spec::Case long_case() {
   return c;
 }
 
-CampaignOptions options_of(const spec::Case& c, Judged judged) {
-  CampaignOptions options;
+CertificationOptions options_of(const spec::Case& c, Judged judged) {
+  CertificationOptions options;
   options.cases = {{c, Origin::own}};
   options.generated = 0;
   if (judged != Judged::here) options.subject = [] { return std::make_unique<Texts>(false); };
@@ -74,7 +74,7 @@ TEST(LongPrograms, AreJudgedAsShortOnes) {
     const Certificate certificate = certify::certify(options_of(c, judged));
     const auto subject = judged == Judged::here ? built_in_engine() : std::make_unique<Texts>(false);
     const auto able = std::get<Capabilities>(subject->capabilities());
-    const fuzz::ModelRun run = fuzz::run_model(c);
+    const judge::ModelRun run = judge::run_model(c);
     const Answer answer = subject->run(c);
     const Judgement whole = judge_answer(able, c, run, answer);
     EXPECT_EQ(whole.result, Result::agrees);

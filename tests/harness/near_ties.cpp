@@ -13,13 +13,13 @@
 #include <string>
 
 #include "fuzz/gen/encode.h"
-#include "fuzz/oracle/compare.h"
-#include "fuzz/oracle/number.h"
-#include "fuzz/oracle/policy.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/compare.h"
+#include "judge/oracle/number.h"
+#include "judge/oracle/policy.h"
+#include "judge/oracle/verdict.h"
 #include "tests/harness/liar.h"
 
-namespace toolcomp::fuzz {
+namespace toolcomp::judge {
 namespace {
 
 using exact::Sign;
@@ -50,20 +50,21 @@ TEST(NearTies, InsideTheBandTheOtherOutcomeIsPermittedAndCounted) {
   const ModelRun run = run_model(c);
   const std::vector<fast::Event> other = test::in_doubles(run_model(c, opposite(run, Clause::fanuc_leading_edge_sign)));
   ASSERT_NE(other[1].point.value[0], test::in_doubles(run)[1].point.value[0]);  // -10 and +10
-  const Verdict v = judge(c, run, other);
+  const Verdict v = judge::judge(c, run, other);
   EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
   EXPECT_GE(v.ties, 1U);
   EXPECT_GE(v.near_ties, v.ties);
   // The exact answer is right as well, and no tie was needed.
-  EXPECT_EQ(judge(c, run, test::in_doubles(run)).outcome, Outcome::agrees);
-  EXPECT_EQ(judge(c, run, test::in_doubles(run)).ties, 0U);
+  EXPECT_EQ(judge::judge(c, run, test::in_doubles(run)).outcome, Outcome::agrees);
+  EXPECT_EQ(judge::judge(c, run, test::in_doubles(run)).ties, 0U);
 }
 
 TEST(NearTies, OutsideTheBandTheOtherOutcomeIsADifference) {
   // 1e-11 > 2^-40.
   const spec::Case c = leaning("0.00000000001");
   const ModelRun run = run_model(c);
-  const Verdict v = judge(c, run, test::in_doubles(run_model(c, opposite(run, Clause::fanuc_leading_edge_sign))));
+  const Verdict v =
+      judge::judge(c, run, test::in_doubles(run_model(c, opposite(run, Clause::fanuc_leading_edge_sign))));
   ASSERT_EQ(v.outcome, Outcome::differs);
   EXPECT_EQ(v.difference->field, "point.X");
   EXPECT_NEAR(v.difference->deviation_um, 20'000, 1);
@@ -74,11 +75,11 @@ TEST(NearTies, OneWrongEventInAnOtherwisePermittedListIsADifference) {
   const ModelRun run = run_model(c);
   std::vector<fast::Event> other = test::in_doubles(run_model(c, opposite(run, Clause::fanuc_leading_edge_sign)));
   other[2].point.value[2] += 0.001;
-  EXPECT_EQ(judge(c, run, other).outcome, Outcome::differs);
+  EXPECT_EQ(judge::judge(c, run, other).outcome, Outcome::differs);
   // Neither outcome: the vector of a run is one of the two, not something between.
   other = test::in_doubles(run);
   other[1].point.value[0] = 0;
-  EXPECT_EQ(judge(c, run, other).outcome, Outcome::differs);
+  EXPECT_EQ(judge::judge(c, run, other).outcome, Outcome::differs);
 }
 
 // An exact tie has no finite vector on its other side: a tool along the movement, classified as not along.
@@ -96,7 +97,7 @@ TEST(NearTies, AnOutcomeWithoutFiniteVectorsIsNotPermitted) {
   EXPECT_TRUE(tried);
   std::vector<fast::Event> wrong = test::in_doubles(run);
   wrong[2].point.value[0] += 3;
-  EXPECT_EQ(judge(c, run, wrong).outcome, Outcome::differs);
+  EXPECT_EQ(judge::judge(c, run, wrong).outcome, Outcome::differs);
 }
 
 // A great circle through the pole of a tool side inclined by 45 degrees, X10 with I-1 K4 to X20 with I1 K4; beside the
@@ -122,7 +123,7 @@ TEST(NearTies, ASampleInThePoleOfAGreatCircle) {
       const ModelRun beside = run_model(c, {{i, side}});
       EXPECT_DOUBLE_EQ(std::fabs(middle(beside).axes[4] - middle(run).axes[4]), 90);
       EXPECT_DOUBLE_EQ(middle(beside).axes[3], middle(run).axes[3]);
-      const Verdict v = judge(c, run, test::in_doubles(beside));
+      const Verdict v = judge::judge(c, run, test::in_doubles(beside));
       EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
       EXPECT_EQ(v.ties, 1U);
       ++tried;
@@ -195,7 +196,7 @@ TEST(NearTies, HardlyOutOfASingularPosture) {
   for (const Posture& posture : kPostures) {
     SCOPED_TRACE(posture.program);
     const spec::Case c = hardly_upright(posture.type, posture.veto, posture.program);
-    const Verdict v = judge(c, run_fast(c));
+    const Verdict v = judge::judge(c, run_fast(c));
     EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
   }
 }
@@ -233,7 +234,7 @@ TEST(NearTies, ProgramsAmongSingularPostures) {
     const int type = std::array{2, 12, 21}.at(random() % 3);
     const int veto = std::array{0, 1, 90, 180}.at(random() % 4);
     const spec::Case c = hardly_upright(type, veto, among_singular_postures(random));
-    const Verdict v = judge(c, run_fast(c));
+    const Verdict v = judge::judge(c, run_fast(c));
     EXPECT_NE(v.outcome, Outcome::differs) << type << " " << veto << "\n" << c.program << explain(*v.difference);
     if (v.outcome == Outcome::undecided) ++undecided;
   }
@@ -246,14 +247,14 @@ TEST(NearTies, ACoarserControllerHasAWiderBand) {
   const spec::Case c = leaning("0.0000001");
   const ModelRun run = run_model(c);
   const std::vector<fast::Event> other = test::in_doubles(run_model(c, opposite(run, Clause::fanuc_leading_edge_sign)));
-  EXPECT_EQ(judge(c, run, other).outcome, Outcome::differs);
-  EXPECT_EQ(judge(c, run, other, {{}, {.mm = 0.001, .degrees = 0.001}}).outcome, Outcome::agrees);
+  EXPECT_EQ(judge::judge(c, run, other).outcome, Outcome::differs);
+  EXPECT_EQ(judge::judge(c, run, other, {{}, {.mm = 0.001, .degrees = 0.001}}).outcome, Outcome::agrees);
   // A lean of 1e-2 it knows as well: what it moves is long.
   const spec::Case clear = leaning("0.01");
   const ModelRun sure = run_model(clear);
   const std::vector<fast::Event> wrong =
       test::in_doubles(run_model(clear, opposite(sure, Clause::fanuc_leading_edge_sign)));
-  EXPECT_EQ(judge(clear, sure, wrong, {{}, {.mm = 0.001, .degrees = 0.001}}).outcome, Outcome::differs);
+  EXPECT_EQ(judge::judge(clear, sure, wrong, {{}, {.mm = 0.001, .degrees = 0.001}}).outcome, Outcome::differs);
   EXPECT_GT(policy::controller_band(0.001, 0.001, 100), 1e-5);
   EXPECT_LT(policy::controller_band(0.001, 0.001, 100), 1e-3);
 }
@@ -266,7 +267,8 @@ TEST(NearTies, AChainOfTiesIsFollowed) {
   for (int i = 0; i < 6; ++i) c.program += i % 2 == 0 ? "X100.\n" : "X-50.\n";
   c.program += "G40\n";
   const ModelRun run = run_model(c);
-  const Verdict v = judge(c, run, test::in_doubles(run_model(c, opposite(run, Clause::fanuc_leading_edge_sign))));
+  const Verdict v =
+      judge::judge(c, run, test::in_doubles(run_model(c, opposite(run, Clause::fanuc_leading_edge_sign))));
   EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
   EXPECT_GT(v.ties, 3U);
 }
@@ -275,14 +277,14 @@ TEST(NearTies, AChainOfTiesIsFollowed) {
 // the other makes none behind it. Alone the one leaves the event as it is, and the other moves it in X while Z, where
 // the first difference is, stays: that is another event.
 TEST(NearTies, AForkThatMovesTheEventInAnotherFieldIsFollowed) {
-  const spec::Case c =
-      decode("fanuc/tool-side-compensation",
-             "u inch\na ZYXCB\np 5003#1 1\np 5008#0 0\np 19680 12\np 19681 4\np 19682 3\np 19684 1\np 19686 5\n"
-             "p 19687 2\np 19689 1\np 19697 2\nd 2 4.00000\nf B 180\nf C -170\nf Y -210.00000\nf Z -280.00000\n%%\n"
-             "N10 G01 F3900. C90. B90 X0 Y-35. Z-30.\nN20 G41.2 D2\nN30 G01 X-4.35655 Y-47.27587\n"
-             "N40 Z-110 C87.05819 B180.\nN50 C-180 B37.70711\nN60 Y-75.18876 Z-110.00001\n"
-             "N70 C180 B165. Y-47.27587 Z-110.\nN80 C180.03603 B30 X-729.2209 Y2940.7447 Z2265.99753\nN90 G40\n"
-             "X-726.76247 Y2920.74856 Z2257.95370 C45.25125 B31.94732\nN110 M02\n");
+  const spec::Case c = fuzz::decode(
+      "fanuc/tool-side-compensation",
+      "u inch\na ZYXCB\np 5003#1 1\np 5008#0 0\np 19680 12\np 19681 4\np 19682 3\np 19684 1\np 19686 5\n"
+      "p 19687 2\np 19689 1\np 19697 2\nd 2 4.00000\nf B 180\nf C -170\nf Y -210.00000\nf Z -280.00000\n%%\n"
+      "N10 G01 F3900. C90. B90 X0 Y-35. Z-30.\nN20 G41.2 D2\nN30 G01 X-4.35655 Y-47.27587\n"
+      "N40 Z-110 C87.05819 B180.\nN50 C-180 B37.70711\nN60 Y-75.18876 Z-110.00001\n"
+      "N70 C180 B165. Y-47.27587 Z-110.\nN80 C180.03603 B30 X-729.2209 Y2940.7447 Z2265.99753\nN90 G40\n"
+      "X-726.76247 Y2920.74856 Z2257.95370 C45.25125 B31.94732\nN110 M02\n");
   const ModelRun run = run_model(c);
   const auto decision = [](const ModelRun& of, Clause clause, std::uint64_t line) {
     const auto& all = of.recorder.decisions();
@@ -296,7 +298,7 @@ TEST(NearTies, AForkThatMovesTheEventInAnotherFieldIsFollowed) {
   const ModelRun both = run_model(c, forced);
   const auto last = [](const ModelRun& of) { return test::in_doubles(of).at(5).point; };
   ASSERT_GT(std::fabs(last(both)[2] - last(run)[2]), 0.5);
-  const Verdict v = judge(c, run, test::in_doubles(both));
+  const Verdict v = judge::judge(c, run, test::in_doubles(both));
   EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
   EXPECT_EQ(v.ties, 2U);
 }
@@ -349,16 +351,17 @@ TEST(NearTies, ACornerOfAlmostRightAnglesMayHaveTheVectorsOfEither) {
   const ModelRun run = run_model(c);
   const ModelRun other = run_model(c, opposite_at_first(run, Clause::fanuc_cutter_c_obtuse_or_acute));
   ASSERT_EQ(other.events.size(), run.events.size() + 1);
-  const Verdict v = judge(c, run, test::in_doubles(other));
+  const Verdict v = judge::judge(c, run, test::in_doubles(other));
   EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
   EXPECT_GE(v.ties, 1U);
   // A degree less is no tie.
   const spec::Case clear = contour("X80.\nX80.01 Y-100.\nY-200.\nG40 X0\n");
   const ModelRun sharp = run_model(clear);
-  EXPECT_EQ(judge(clear, sharp,
-                  test::in_doubles(run_model(clear, opposite_at_first(sharp, Clause::fanuc_cutter_c_obtuse_or_acute))))
-                .outcome,
-            Outcome::differs);
+  EXPECT_EQ(
+      judge::judge(clear, sharp,
+                   test::in_doubles(run_model(clear, opposite_at_first(sharp, Clause::fanuc_cutter_c_obtuse_or_acute))))
+          .outcome,
+      Outcome::differs);
 }
 
 // A groove 1e-12 narrower than the tool: PS0041, or not.
@@ -368,16 +371,16 @@ TEST(NearTies, InterferenceByAHairMayBeSeenOrNot) {
   ASSERT_EQ(run.events.back().number.view(), "PS0041");
   const ModelRun other = run_model(c, opposite_near_ties(run, Clause::fanuc_cutter_c_interference_direction));
   ASSERT_EQ(other.events.back().kind, spec::EventKind::move);
-  const Verdict v = judge(c, run, test::in_doubles(other));
+  const Verdict v = judge::judge(c, run, test::in_doubles(other));
   EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
   // A micrometre narrower there is nothing to permit.
   const spec::Case narrow = contour("X80.\nY19.999\nX40.\nG40 Y40.\n");
   const ModelRun alarm = run_model(narrow);
-  EXPECT_EQ(
-      judge(narrow, alarm,
-            test::in_doubles(run_model(narrow, opposite_at_last(alarm, Clause::fanuc_cutter_c_interference_direction))))
-          .outcome,
-      Outcome::differs);
+  EXPECT_EQ(judge::judge(narrow, alarm,
+                         test::in_doubles(
+                             run_model(narrow, opposite_at_last(alarm, Clause::fanuc_cutter_c_interference_direction))))
+                .outcome,
+            Outcome::differs);
 }
 
 // Half the chord of the arc is the offset: both its heads lie on Y30, where that meets the tool's circle of 0.02, in
@@ -398,7 +401,7 @@ TEST(NearTies, HeadsOfAnArcInOnePointMayBeAWholeTurnOrNone) {
   const auto judged = [&](double sweep) {
     std::vector<fast::Event> answer = other;
     answer[static_cast<std::size_t>(arc - other.begin())].arc->sweep = sweep;
-    return judge(c, run, answer);
+    return judge::judge(c, run, answer);
   };
   // Degrees of an ulp of 40 at 0.02 from the centre: 2e-11.
   const Verdict v = judged(2e-11);
@@ -427,7 +430,7 @@ TEST(NearTies, BothAxesOfASmallCornerMovementMayGoTheOtherWay) {
   forced.merge(next);
   const ModelRun other = run_model(c, forced);
   ASSERT_EQ(other.events.size() + 1, run.events.size());
-  const Verdict v = judge(c, run, test::in_doubles(other));
+  const Verdict v = judge::judge(c, run, test::in_doubles(other));
   EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
   EXPECT_EQ(v.ties, 2U);
 }
@@ -454,9 +457,10 @@ TEST(NearTies, AnExactTieOfDecimalsGoesAsTheClauseSays) {
     const ModelRun other = run_model(c, forced_to(run, clause, Sign::negative));
     ASSERT_EQ(run.events.back().kind, spec::EventKind::setting);
     ASSERT_EQ(other.events.back().number.view(), "PS0080");
-    EXPECT_EQ(judge(c, run, test::in_doubles(run)).near_ties, 0U);
-    EXPECT_EQ(judge(c, run, test::in_doubles(other)).outcome, Outcome::differs);
-    EXPECT_EQ(judge(c, run, test::in_doubles(other), {{}, {.mm = 0.001, .degrees = 0.001}}).outcome, Outcome::agrees);
+    EXPECT_EQ(judge::judge(c, run, test::in_doubles(run)).near_ties, 0U);
+    EXPECT_EQ(judge::judge(c, run, test::in_doubles(other)).outcome, Outcome::differs);
+    EXPECT_EQ(judge::judge(c, run, test::in_doubles(other), {{}, {.mm = 0.001, .degrees = 0.001}}).outcome,
+              Outcome::agrees);
   }
 }
 
@@ -472,15 +476,15 @@ TEST(NearTies, AForkThatEndsUndecidedNeverAgrees) {
   const ModelRun fork =
       run_model(c, forced_to(run, Clause::fanuc_length_measurement_signal_from_the_start, Sign::negative));
   ASSERT_EQ(fork.events.back().kind, spec::EventKind::undecided);
-  ASSERT_GE(judge(c, run, test::in_doubles(run)).near_ties, 1U);
-  EXPECT_EQ(judge(c, run, test::in_doubles(run)).outcome, Outcome::agrees);
+  ASSERT_GE(judge::judge(c, run, test::in_doubles(run)).near_ties, 1U);
+  EXPECT_EQ(judge::judge(c, run, test::in_doubles(run)).outcome, Outcome::agrees);
   // Right up to where the fork ends, wrong there: neither run has it.
   std::vector<fast::Event> wrong = test::in_doubles(run);
   wrong.back().value += 1;
-  EXPECT_EQ(judge(c, run, wrong).outcome, Outcome::differs);
+  EXPECT_EQ(judge::judge(c, run, wrong).outcome, Outcome::differs);
   wrong = test::in_doubles(run);
   wrong[fork.events.size() - 1].point.value[2] += 1;
-  EXPECT_EQ(judge(c, run, wrong).outcome, Outcome::differs);
+  EXPECT_EQ(judge::judge(c, run, wrong).outcome, Outcome::differs);
 }
 
 // A head of B on C with B at 10^-9 degrees: C is off by 1/sin B = 6·10^10 ulps, 1/20 of a radian. No decision is a near
@@ -523,14 +527,14 @@ TEST(NearTies, AnExactTieOfConvertedLengthsMayGoTheOtherWay) {
   c.program = "G21 H1\nG00 Z220.\nG90 G37 Z200.\n";
   const ModelRun run = run_model(c);
   const Clause rapid = Clause::fanuc_length_measurement_rapid_part;
-  EXPECT_EQ(judge(c, run, test::in_doubles(run)).near_ties, 1U);
-  EXPECT_EQ(judge(c, run, test::in_doubles(run_model(c, forced_to(run, rapid, Sign::positive)))).outcome,
+  EXPECT_EQ(judge::judge(c, run, test::in_doubles(run)).near_ties, 1U);
+  EXPECT_EQ(judge::judge(c, run, test::in_doubles(run_model(c, forced_to(run, rapid, Sign::positive)))).outcome,
             Outcome::agrees);
   // The same in millimetres is exact.
   c.setup.units = spec::Units::mm;
   const ModelRun plain = run_model(c);
-  EXPECT_EQ(judge(c, plain, test::in_doubles(plain)).near_ties, 0U);
-  EXPECT_EQ(judge(c, plain, test::in_doubles(run_model(c, forced_to(plain, rapid, Sign::positive)))).outcome,
+  EXPECT_EQ(judge::judge(c, plain, test::in_doubles(plain)).near_ties, 0U);
+  EXPECT_EQ(judge::judge(c, plain, test::in_doubles(run_model(c, forced_to(plain, rapid, Sign::positive)))).outcome,
             Outcome::differs);
 }
 
@@ -552,7 +556,7 @@ TEST(NearTies, ATieAtAContactAngleMayGoTheOtherWay) {
   ASSERT_EQ(run.events.back().kind, spec::EventKind::move);
   const ModelRun below = run_model(c, forced_to(run, corner, Sign::negative));
   ASSERT_EQ(below.events.back().number.view(), "E_R2_NEG");
-  EXPECT_EQ(judge(c, run, test::in_doubles(below)).outcome, Outcome::agrees);
+  EXPECT_EQ(judge::judge(c, run, test::in_doubles(below)).outcome, Outcome::agrees);
 }
 
 // A change of side on a straight line: paths that are parallel have no intersection, whatever is forced.
@@ -571,7 +575,7 @@ TEST(NearTies, AnIntersectionOfParallelLinesIsNotPermitted) {
   EXPECT_TRUE(tried);
   std::vector<fast::Event> wrong = test::in_doubles(run);
   wrong[1].point.value[0] += 1;
-  EXPECT_EQ(judge(c, run, wrong).outcome, Outcome::differs);
+  EXPECT_EQ(judge::judge(c, run, wrong).outcome, Outcome::differs);
 }
 
 // Lines beside a tool that leans by I J K, offset 10.
@@ -590,16 +594,17 @@ TEST(NearTies, ASideCornerOfAlmostRightAnglesMayHaveTheVectorsOfEither) {
   const ModelRun run = run_model(c);
   const ModelRun other = run_model(c, opposite_at_last(run, Clause::fanuc_tool_side_obtuse_or_acute));
   ASSERT_EQ(other.events.size() + 1, run.events.size());
-  const Verdict v = judge(c, run, test::in_doubles(other));
+  const Verdict v = judge::judge(c, run, test::in_doubles(other));
   EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
   EXPECT_GE(v.ties, 1U);
   // A degree less is no tie.
   const spec::Case clear = flank(start + "X80. Y99.99 Z-60.\nX160. Z-120.\nG40 X0\n");
   const ModelRun sharp = run_model(clear);
-  EXPECT_EQ(judge(clear, sharp,
-                  test::in_doubles(run_model(clear, opposite_at_last(sharp, Clause::fanuc_tool_side_obtuse_or_acute))))
-                .outcome,
-            Outcome::differs);
+  EXPECT_EQ(
+      judge::judge(clear, sharp,
+                   test::in_doubles(run_model(clear, opposite_at_last(sharp, Clause::fanuc_tool_side_obtuse_or_acute))))
+          .outcome,
+      Outcome::differs);
 }
 
 // The tool turns by 45 degrees less 5e-14 while the path goes back under it: PS0041, or not.
@@ -613,7 +618,7 @@ TEST(NearTies, AChangeOfThePlaneByAHairLessThanTheLimitMayBeSeenOrNot) {
   ASSERT_EQ(run.events.back().kind, spec::EventKind::move);
   const ModelRun other = run_model(c, opposite_near_ties(run, Clause::fanuc_tool_side_plane_change_angle));
   ASSERT_EQ(other.events.back().number.view(), "PS0041");
-  const Verdict v = judge(c, run, test::in_doubles(other));
+  const Verdict v = judge::judge(c, run, test::in_doubles(other));
   EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
   // A thousandth of a degree is no hair.
   const spec::Case clear = turning("1.00004");
@@ -623,7 +628,7 @@ TEST(NearTies, AChangeOfThePlaneByAHairLessThanTheLimitMayBeSeenOrNot) {
     const model::Decision& d = apart.recorder.decisions()[i];
     if (d.clause == Clause::fanuc_tool_side_plane_change_angle) forced[i] = Sign::positive;
   }
-  EXPECT_EQ(judge(clear, apart, test::in_doubles(run_model(clear, forced))).outcome, Outcome::differs);
+  EXPECT_EQ(judge::judge(clear, apart, test::in_doubles(run_model(clear, forced))).outcome, Outcome::differs);
 }
 
 // A line along the tool has no direction in the plane, whatever is forced.
@@ -642,4 +647,4 @@ TEST(NearTies, AMovementAlongTheToolIsNotOneInThePlane) {
 }
 
 }  // namespace
-}  // namespace toolcomp::fuzz
+}  // namespace toolcomp::judge

@@ -16,7 +16,7 @@
 #include "corpus/examples.h"
 #include "corpus/golden.h"
 #include "fuzz/gen/generator.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 #include "spec/language/event_format.h"
 #include "spec/language/input_error.h"
 #include "spec/language/number_text.h"
@@ -48,7 +48,7 @@ std::string text(const Events& events, const spec::Axes& axes, const Append& app
 
 std::string run_fast_text(const spec::Case& c) {
   try {
-    return text(run_fast(c), c.setup.axes, spec::append_shortest);
+    return text(judge::run_fast(c), c.setup.axes, spec::append_shortest);
   } catch (const spec::InputError&) {
     return kRefused;
   }
@@ -58,7 +58,7 @@ Texts run(const spec::Case& c) {
   Texts texts;
   texts.fast = run_fast_text(c);
   try {
-    texts.model = text(run_model(c).events, c.setup.axes,
+    texts.model = text(judge::run_model(c).events, c.setup.axes,
                        [](std::string& out, const exact::Real& value) { out += '"' + value.decimal(12) + '"'; });
   } catch (const spec::InputError&) {
     texts.model = kRefused;
@@ -219,7 +219,7 @@ TEST(Keys, AllHaveAnEffect) {
 TEST(Keys, IgnoredAreFound) {
   const std::uint64_t budget = test::effort(500U, 2000U);
   // One of the events up to the first that differs rests on the key's clauses.
-  const auto shows = [](const ModelRun& run, const Difference& difference, const spec::KeyInfo& key) {
+  const auto shows = [](const judge::ModelRun& run, const judge::Difference& difference, const spec::KeyInfo& key) {
     const auto count = static_cast<std::ptrdiff_t>(std::min(difference.event + 1, run.events.size()));
     return std::any_of(run.events.begin(), run.events.begin() + count, [&](const model::Event& event) {
       return std::ranges::any_of(event.clauses, [&](spec::Clause clause) {
@@ -232,9 +232,9 @@ TEST(Keys, IgnoredAreFound) {
     spec::Case ignored = c;
     key.set(ignored.setup, key.default_value);
     try {
-      const ModelRun run = run_model(c);
-      const Verdict verdict = judge(c, run, run_fast(ignored));
-      return verdict.outcome == Outcome::differs && (key.percent == 0 || shows(run, *verdict.difference, key));
+      const judge::ModelRun run = judge::run_model(c);
+      const judge::Verdict verdict = judge::judge(c, run, judge::run_fast(ignored));
+      return verdict.outcome == judge::Outcome::differs && (key.percent == 0 || shows(run, *verdict.difference, key));
     } catch (const spec::InputError&) {
       return false;  // no control could have it at its default
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How far directions may be off, on events made by hand: expected values are derivatives of closed forms.
-#include "fuzz/oracle/pose_error.h"
+#include "judge/oracle/pose_error.h"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/oracle/condition.h"
-#include "fuzz/oracle/policy.h"
+#include "judge/oracle/condition.h"
+#include "judge/oracle/policy.h"
 
-namespace toolcomp::fuzz {
+namespace toolcomp::judge {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -241,4 +241,4 @@ TEST(PoseErrors, SamplesTakeTheScaleOfTheirMove) {
 }
 
 }  // namespace
-}  // namespace toolcomp::fuzz
+}  // namespace toolcomp::judge

@@ -9,9 +9,9 @@
 #include <numbers>
 #include <string>
 
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 
-namespace toolcomp::fuzz {
+namespace toolcomp::judge {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -55,7 +55,7 @@ Verdict judged(const spec::Setup& setup, const std::string& program, const Chang
   c.samples = samples;
   std::vector<fast::Event> events = run_fast(c);
   change(events);
-  return judge(c, events);
+  return judge::judge(c, events);
 }
 
 void set(fast::Event& event, std::size_t axis, double value) {
@@ -196,7 +196,7 @@ TEST(PoseFit, ADirectionThatIsRounded) {
       (*last.tool_axis)[i] = rounded;
       set(last, i, last.point[i] + 100 * rounded + off);
     }
-    return judge(c, run, events, options).outcome == Outcome::agrees;
+    return judge::judge(c, run, events, options).outcome == Outcome::agrees;
   };
   EXPECT_TRUE(agrees(0));
   EXPECT_FALSE(agrees(1e-6));
@@ -222,4 +222,4 @@ TEST(PoseFit, SamplesAndTheEndOfTheMode) {
 }
 
 }  // namespace
-}  // namespace toolcomp::fuzz
+}  // namespace toolcomp::judge

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Arcs by R hardly longer than half their chord: what a controller in plain doubles gives is right, a lie of a few
 // times what doubles leave open is none. The controller here is a few lines of its own; bounds are worked out by hand.
-#include "fuzz/oracle/radius_arc.h"
+#include "judge/oracle/radius_arc.h"
 
 #include <gtest/gtest.h>
 
@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/oracle/policy.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/policy.h"
+#include "judge/oracle/verdict.h"
 #include "tests/harness/liar.h"
 
-namespace toolcomp::fuzz {
+namespace toolcomp::judge {
 namespace {
 
 constexpr double kDegrees = 57.29577951308232;  // in a radian
@@ -75,7 +75,7 @@ spec::Case arc_case(const Example& example) {
 }
 
 void expect_agrees(const spec::Case& c, const ModelRun& run, const std::vector<fast::Event>& events) {
-  const Verdict v = judge(c, run, events);
+  const Verdict v = judge::judge(c, run, events);
   EXPECT_EQ(v.outcome, Outcome::agrees) << c.program << (v.difference ? explain(*v.difference) : v.undecided);
   EXPECT_EQ(v.wide, 0U);
 }
@@ -116,12 +116,12 @@ TEST(RadiusArcs, ALieOfAFewTimesTheBoundIsFound) {
       test::lie_in_axis(events[1].arc->center, 1, by * 0.9 * bound.center);
       expect_agrees(c, run, events);
       test::lie_in_axis(events[1].arc->center, 1, by * 2 * bound.center);
-      EXPECT_EQ(judge(c, run, events).outcome, Outcome::differs) << bound.radius;
+      EXPECT_EQ(judge::judge(c, run, events).outcome, Outcome::differs) << bound.radius;
       events = honest;
       *events[1].arc->sweep += by * 0.9 * bound.sweep;
       expect_agrees(c, run, events);
       *events[1].arc->sweep += by * 2 * bound.sweep;
-      EXPECT_EQ(judge(c, run, events).outcome, Outcome::differs) << bound.radius;
+      EXPECT_EQ(judge::judge(c, run, events).outcome, Outcome::differs) << bound.radius;
     }
   }
 }
@@ -134,7 +134,7 @@ TEST(RadiusArcs, OnlyWhereRGivesTheArc) {
   const ModelRun run = run_model(c);
   std::vector<fast::Event> events = test::in_doubles(run);
   test::lie_in_axis(events[1].arc->center, 1, 3e-13);
-  EXPECT_EQ(judge(c, run, events).outcome, Outcome::differs);
+  EXPECT_EQ(judge::judge(c, run, events).outcome, Outcome::differs);
 }
 
 // G41, 2 towards the centre: both heads lie on the radii, and the tool's own arc has the programmed sweep. A head is
@@ -160,7 +160,7 @@ TEST(RadiusArcs, HeadsBesideThem) {
   events[2].arc->radius.reset();
   expect_agrees(c, run, events);
   test::lie_in_axis(events[2].point, 1, 5e-10);
-  EXPECT_EQ(judge(c, run, events).outcome, Outcome::differs);
+  EXPECT_EQ(judge::judge(c, run, events).outcome, Outcome::differs);
 }
 
 // Tool center point control, the tool upright: the samples lie on the arc.
@@ -213,4 +213,4 @@ TEST(RadiusArcs, TheHeightIsBounded) {
 }
 
 }  // namespace
-}  // namespace toolcomp::fuzz
+}  // namespace toolcomp::judge

@@ -11,7 +11,7 @@
 #include "certify/fuzzing/regression.h"
 #include "fuzz/gen/encode.h"
 #include "fuzz/gen/generator.h"
-#include "fuzz/oracle/trial.h"
+#include "judge/oracle/trial.h"
 #include "spec/language/case_format.h"
 
 namespace toolcomp {
@@ -23,9 +23,9 @@ TEST(Regression, EveryFindingThatWasFixedIsJudgedAndAgrees) {
   const auto cases = certify::fuzzing::regression_cases(kFolder);
   EXPECT_FALSE(cases.empty());
   for (const spec::Case& c : cases) {
-    const fuzz::Trial trial = fuzz::try_case(c);
-    EXPECT_FALSE(trial.found()) << c.id << ": " << fuzz::explain(*trial.verdict.difference);
-    EXPECT_EQ(trial.verdict.outcome, fuzz::Outcome::agrees) << c.id;
+    const judge::Trial trial = judge::try_case(c);
+    EXPECT_FALSE(trial.found()) << c.id << ": " << judge::explain(*trial.verdict.difference);
+    EXPECT_EQ(trial.verdict.outcome, judge::Outcome::agrees) << c.id;
     EXPECT_GT(trial.verdict.values, 0U) << c.id;
     EXPECT_NE(std::ranges::find(fuzz::sections(), c.section), fuzz::sections().end()) << c.id;
   }
@@ -35,9 +35,9 @@ TEST(Regression, ProgramsByHandAgree) {
   std::ifstream file(TOOLCOMP_SOURCE_DIR "/tests/harness/programs.jsonl");
   std::size_t cases = 0;
   for (std::string line; std::getline(file, line); ++cases) {
-    const fuzz::Trial trial = fuzz::try_case(spec::read_case(line, "programs.jsonl"));
-    EXPECT_FALSE(trial.found()) << line << '\n' << fuzz::explain(*trial.verdict.difference);
-    EXPECT_NE(trial.verdict.outcome, fuzz::Outcome::undecided) << line;
+    const judge::Trial trial = judge::try_case(spec::read_case(line, "programs.jsonl"));
+    EXPECT_FALSE(trial.found()) << line << '\n' << judge::explain(*trial.verdict.difference);
+    EXPECT_NE(trial.verdict.outcome, judge::Outcome::undecided) << line;
   }
   EXPECT_GT(cases, 500U);
 }

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "fuzz/oracle/rotary.h"
+#include "judge/oracle/rotary.h"
 
-namespace toolcomp::fuzz {
+namespace toolcomp::judge {
 namespace {
 
 constexpr double kDegree = 0.017453292519943295;
@@ -108,4 +108,4 @@ TEST(RotaryMachines, PositionsOfANutatingHead) {
 }
 
 }  // namespace
-}  // namespace toolcomp::fuzz
+}  // namespace toolcomp::judge

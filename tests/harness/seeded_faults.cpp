@@ -15,7 +15,7 @@
 #include "fast/basis/fault.h"
 #include "fuzz/faults/faults.h"
 #include "fuzz/gen/generator.h"
-#include "fuzz/oracle/trial.h"
+#include "judge/oracle/trial.h"
 #include "tests/effort.h"
 
 namespace toolcomp::fuzz {
@@ -51,7 +51,7 @@ spec::Case fresh(std::string_view section, std::uint64_t i) {
   return generate(section, Mode::directed, source);
 }
 
-bool rests_on(const Difference& difference, std::string_view ids) {
+bool rests_on(const judge::Difference& difference, std::string_view ids) {
   if (ids.empty()) return true;
   for (const spec::Clause clause : difference.clauses) {
     const std::string_view id = spec::info(clause).id;
@@ -83,7 +83,7 @@ TEST(SeededFaults, TheSoundEngineAgrees) {
   const std::uint64_t cases = test::random_cases(2000);
   for (const std::string_view section : sections())
     for (std::uint64_t seed = 1; seed <= cases; ++seed) {
-      const Trial t = try_case(fresh(section, seed));
+      const judge::Trial t = judge::try_case(fresh(section, seed));
       ASSERT_FALSE(t.found()) << section << " seed " << seed << ": " << explain(*t.verdict.difference);
     }
 }
@@ -101,9 +101,9 @@ TEST(SeededFaults, EachIsFoundWithinItsBudgetUnderItsClause) {
     std::string what;
     for (std::uint64_t seed = 1; seed <= fault.budget && found == 0; ++seed) {
       const spec::Case c = fresh(fault.section, seed);
-      const Trial t = [&] {
+      const judge::Trial t = [&] {
         const Active active(fault.name);
-        return try_case(c);
+        return judge::try_case(c);
       }();
       // A broken law is no word of the comparison.
       if (!t.found() || t.verdict.difference->kind == "law" || !rests_on(*t.verdict.difference, fault.clauses))

@@ -25,7 +25,7 @@
 #include "fuzz/faults/faults.h"
 #include "fuzz/gen/encode.h"
 #include "fuzz/gen/generator.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 #include "spec/language/event_json.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
@@ -58,7 +58,7 @@ std::optional<std::vector<fast::Event>> run(const spec::Case& c, unsigned closed
   fast::closed_short_cuts = closed;
   fast::active_fault = fault;
   try {
-    return run_fast(c);
+    return judge::run_fast(c);
   } catch (const spec::InputError&) {
     return std::nullopt;
   }
@@ -101,9 +101,9 @@ std::string broken(const spec::Case& c, Fault fault = Fault::none) {
   if (text(*otherwise, axes, Numbers::exact) == all) return "";
   if (text(*otherwise, axes, Numbers::left_out) != text(*usual, axes, Numbers::left_out))
     return "with short cuts\n" + all + "without\n" + text(*otherwise, axes, Numbers::exact);
-  const ModelRun model = run_model(c);
+  const judge::ModelRun model = judge::run_model(c);
   for (const auto* events : {&*usual, &*otherwise})
-    if (const Verdict verdict = judge(c, model, *events); verdict.outcome == Outcome::differs)
+    if (const judge::Verdict verdict = judge::judge(c, model, *events); verdict.outcome == judge::Outcome::differs)
       return explain(*verdict.difference);
   return "";
 }

@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "certify/convert.h"
-#include "fuzz/oracle/condition.h"
-#include "fuzz/oracle/policy.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/condition.h"
+#include "judge/oracle/policy.h"
+#include "judge/oracle/verdict.h"
 
-namespace toolcomp::fuzz {
+namespace toolcomp::judge {
 namespace {
 
 using exact::Real;
@@ -71,7 +71,7 @@ spec::Case plain_case() {
 Verdict verdict(const std::vector<fast::Event>& actual, const JudgeOptions& options = {}) {
   ModelRun run;
   run.events = events<Real>();
-  return judge(plain_case(), run, actual, options);
+  return judge::judge(plain_case(), run, actual, options);
 }
 
 struct Wrong {
@@ -233,7 +233,7 @@ TEST(SpaceEvents, TheTextsOfAControllerAreJudgedFieldByField) {
   const auto judged = [&](const std::function<void(spec::TextEvent&)>& apply) {
     std::vector<spec::TextEvent> texts = {certify::in_text(face<Real>(), 30)};
     apply(texts[0]);
-    const Verdict v = judge(plain_case(), run, std::span<const spec::TextEvent>(texts));
+    const Verdict v = judge::judge(plain_case(), run, std::span<const spec::TextEvent>(texts));
     return v.difference ? v.difference->field : std::string("none");
   };
   EXPECT_EQ(judged([](spec::TextEvent&) {}), "none");
@@ -261,7 +261,7 @@ TEST(SpaceEvents, AControllerIsNotJudgedBehindWhatIsOutOfScope) {
   ModelRun run;
   run.events = events<Real>();
   run.events.erase(run.events.begin());
-  EXPECT_EQ(judge(plain_case(), run, none).outcome, Outcome::nothing_judged);
+  EXPECT_EQ(judge::judge(plain_case(), run, none).outcome, Outcome::nothing_judged);
 }
 
 // One that announces what only undecided events say must give them, each with what it says.
@@ -276,7 +276,7 @@ TEST(SpaceEvents, AControllerThatAnnouncesReasonsMustGiveThem) {
     apply(texts);
     JudgeOptions options;
     options.fields = fields;
-    const Verdict v = judge(plain_case(), run, texts, options);
+    const Verdict v = judge::judge(plain_case(), run, texts, options);
     return v.difference ? v.difference->kind + " " + v.difference->field : std::string("none");
   };
   const std::vector<std::string> none = {"kind", "line", "point"};
@@ -307,7 +307,7 @@ TEST(SpaceEvents, WhatStandsBehindAnOutOfScopeEventIsCounted) {
   ModelRun run;
   run.events = events<Real>();
   const std::vector<spec::TextEvent> texts = {certify::in_text(face<Real>(), 30)};
-  const Verdict controller = judge(plain_case(), run, texts);
+  const Verdict controller = judge::judge(plain_case(), run, texts);
   EXPECT_EQ(controller.events, 1U);
   EXPECT_EQ(controller.out_of_scope, 1U);
   // A second one changes nothing: the last three stand behind the first.
@@ -316,8 +316,8 @@ TEST(SpaceEvents, WhatStandsBehindAnOutOfScopeEventIsCounted) {
   std::vector<fast::Event> actual = events<double>();
   actual.push_back(fast::Event(actual[1]));
   actual.push_back(fast::Event(actual[2]));
-  EXPECT_EQ(judge(plain_case(), run, actual).events, 5U);
-  EXPECT_EQ(judge(plain_case(), run, actual).out_of_scope, 3U);
+  EXPECT_EQ(judge::judge(plain_case(), run, actual).events, 5U);
+  EXPECT_EQ(judge::judge(plain_case(), run, actual).out_of_scope, 3U);
 }
 
 // An event without a partner is none that was judged.
@@ -472,7 +472,7 @@ TEST(SpaceScales, AMitreNearAReversalMaySlide) {
       (*values)[0] += along;
       (*values)[1] += across;
     }
-    return judge(c, run, actual).outcome == Outcome::agrees;
+    return judge::judge(c, run, actual).outcome == Outcome::agrees;
   };
   EXPECT_TRUE(agrees(0, 0));
   EXPECT_TRUE(agrees(1e-4, 0));
@@ -531,4 +531,4 @@ TEST(SpaceScales, APathAlongTheToolHasNoDirection) {
 }
 
 }  // namespace
-}  // namespace toolcomp::fuzz
+}  // namespace toolcomp::judge

@@ -31,16 +31,16 @@ spec::Case steered_case(const std::string& program) {
 // The least margin of a clause's decisions by sign.
 std::optional<double> least_margin(const spec::Case& c, spec::Clause clause) {
   std::optional<double> least;
-  const ModelRun run = run_model(c);
+  const judge::ModelRun run = judge::run_model(c);
   for (const model::Decision& d : run.recorder.decisions())
-    if (d.clause == clause && (!least || margin(d) < *least)) least = margin(d);
+    if (d.clause == clause && (!least || judge::margin(d) < *least)) least = judge::margin(d);
   return least;
 }
 
 // Which kinds of slots a run has: outcomes and margins by clause, pairs, shapes.
 TEST(Steering, CountsWhatARunReachesByKind) {
-  const ModelRun run =
-      run_model(steered_case("G90 G17 G01 F100 X0. Y0.\nG41 D1 X10. Y0.\nX20. Y10.\nX30. Y0.\nG40 X40.\n"));
+  const judge::ModelRun run =
+      judge::run_model(steered_case("G90 G17 G01 F100 X0. Y0.\nG41 D1 X10. Y0.\nX20. Y10.\nX30. Y0.\nG40 X40.\n"));
   std::vector<std::uint8_t> counters(kSteeringSlots);
   count_reached(run, counters);
   std::array<std::size_t, 4> kinds{};
@@ -58,8 +58,8 @@ TEST(Steering, CountsWhatARunReachesByKind) {
 
 // What a run reached before is not new; another row of moves is.
 TEST(Steering, WhatIsNewIsNewOnce) {
-  const ModelRun turned = run_model(steered_case("G90 G17 G01 F100 X10.\nY10.\nX0.\n"));
-  const ModelRun rapid = run_model(steered_case("G90 G17 G01 F100 X10.\nG00 Y10.\nG01 X0.\n"));
+  const judge::ModelRun turned = judge::run_model(steered_case("G90 G17 G01 F100 X10.\nY10.\nX0.\n"));
+  const judge::ModelRun rapid = judge::run_model(steered_case("G90 G17 G01 F100 X10.\nG00 Y10.\nG01 X0.\n"));
   Coverage coverage;
   EXPECT_TRUE(coverage.add(turned));
   EXPECT_FALSE(coverage.add(turned));
@@ -70,8 +70,9 @@ TEST(Steering, WhatIsNewIsNewOnce) {
 
 // The same events in another row are new by their shapes alone.
 TEST(Steering, ARowOfEventsIsNewByItsShape) {
-  const ModelRun once = run_model(steered_case("G90 G17 G01 F100 X10.\nG00 Y10.\nG01 X0.\n"));
-  const ModelRun other = run_model(steered_case("G90 G17 G01 F100 X10.\nX0.\nG00 Y10.\nG00 X5.\nG01 Y0.\n"));
+  const judge::ModelRun once = judge::run_model(steered_case("G90 G17 G01 F100 X10.\nG00 Y10.\nG01 X0.\n"));
+  const judge::ModelRun other =
+      judge::run_model(steered_case("G90 G17 G01 F100 X10.\nX0.\nG00 Y10.\nG00 X5.\nG01 Y0.\n"));
   std::vector<std::uint8_t> first(kSteeringSlots);
   std::vector<std::uint8_t> second(kSteeringSlots);
   count_reached(once, first);
@@ -94,10 +95,10 @@ TEST(Push, BringsADecisionNearerToItsBoundary) {
     const spec::Case before = generate("fanuc/cutter-compensation-c", Mode::directed, source);
     spec::Case after = before;
     Choices choose(source);
-    const ModelRun first = run_model(before);
+    const judge::ModelRun first = judge::run_model(before);
     // Where no decision has a margin there is nothing to push; large cases are left alone.
-    if (!is_searched(before) ||
-        std::ranges::none_of(first.recorder.decisions(), [](const model::Decision& d) { return margin(d) > 0; })) {
+    if (!is_searched(before) || std::ranges::none_of(first.recorder.decisions(),
+                                                     [](const model::Decision& d) { return judge::margin(d) > 0; })) {
       EXPECT_FALSE(push_toward_boundary(after, choose));
       continue;
     }

@@ -14,31 +14,31 @@
 #include "fuzz/faults/faults.h"
 #include "fuzz/gen/encode.h"
 #include "fuzz/gen/generator.h"
-#include "fuzz/oracle/policy.h"
-#include "fuzz/oracle/trial.h"
+#include "judge/oracle/policy.h"
+#include "judge/oracle/trial.h"
 #include "tests/effort.h"
 
-namespace toolcomp::fuzz {
+namespace toolcomp::judge {
 namespace {
 
 TEST(Streams, GiveTheVerdictOfTheWholeCase) {
   const std::uint64_t seeds = test::random_cases(300);
   for (std::uint64_t seed = 0; seed < seeds; ++seed)
-    for (const std::string_view section : sections()) {
-      SeededSource source(seed);
-      const spec::Case c = generate(section, Mode::directed, source, 40);
+    for (const std::string_view section : fuzz::sections()) {
+      fuzz::SeededSource source(seed);
+      const spec::Case c = fuzz::generate(section, fuzz::Mode::directed, source, 40);
       const Trial whole = try_case(c);
       if (whole.acceptance != Acceptance::accepted) continue;
       // Laws are asked of whole cases alone.
       if (whole.verdict.difference && whole.verdict.difference->kind == "law") continue;
       const Verdict v = judge_stream({[&] { return spec::text_source(c.program); }}, c.setup, c.samples);
-      EXPECT_EQ(v.outcome, whole.verdict.outcome) << encode(c);
+      EXPECT_EQ(v.outcome, whole.verdict.outcome) << fuzz::encode(c);
       if (v.outcome != Outcome::agrees) continue;
-      EXPECT_EQ(v.values + v.wide, whole.verdict.values + whole.verdict.wide) << encode(c);
-      EXPECT_EQ(v.events, whole.verdict.events) << encode(c);
-      EXPECT_EQ(v.out_of_scope, whole.verdict.out_of_scope) << encode(c);
-      EXPECT_EQ(v.decisions, whole.verdict.decisions) << encode(c);
-      EXPECT_EQ(v.near_ties, whole.verdict.near_ties) << encode(c);
+      EXPECT_EQ(v.values + v.wide, whole.verdict.values + whole.verdict.wide) << fuzz::encode(c);
+      EXPECT_EQ(v.events, whole.verdict.events) << fuzz::encode(c);
+      EXPECT_EQ(v.out_of_scope, whole.verdict.out_of_scope) << fuzz::encode(c);
+      EXPECT_EQ(v.decisions, whole.verdict.decisions) << fuzz::encode(c);
+      EXPECT_EQ(v.near_ties, whole.verdict.near_ties) << fuzz::encode(c);
     }
 }
 
@@ -46,11 +46,11 @@ TEST(Streams, GiveTheVerdictOfTheWholeCase) {
 TEST(Streams, FindWhatTheWholeCaseFinds) {
   constexpr std::uint64_t kMost = 20;  // seeds a fault
   std::map<std::string, std::size_t> kinds;
-  for (std::size_t i = 0; i < seeded_faults().size(); ++i) {
-    const SeededFault& fault = seeded_faults()[i];
+  for (std::size_t i = 0; i < fuzz::seeded_faults().size(); ++i) {
+    const fuzz::SeededFault& fault = fuzz::seeded_faults()[i];
     for (std::uint64_t seed = 1; seed <= kMost; ++seed) {
-      SeededSource source(seed);
-      const spec::Case c = generate(fault.section, Mode::directed, source);
+      fuzz::SeededSource source(seed);
+      const spec::Case c = fuzz::generate(fault.section, fuzz::Mode::directed, source);
       fast::active_fault = static_cast<fast::Fault>(i + 1);
       const Trial whole = try_case(c);
       std::optional<Verdict> streamed;
@@ -58,7 +58,7 @@ TEST(Streams, FindWhatTheWholeCaseFinds) {
         streamed = judge_stream({[&] { return spec::text_source(c.program); }}, c.setup, c.samples);
       fast::active_fault = fast::Fault::none;
       if (!streamed) continue;
-      ASSERT_EQ(streamed->outcome, Outcome::differs) << fault.name << '\n' << encode(c);
+      ASSERT_EQ(streamed->outcome, Outcome::differs) << fault.name << '\n' << fuzz::encode(c);
       EXPECT_EQ(streamed->difference->event, whole.verdict.difference->event) << fault.name << " seed " << seed;
       EXPECT_NE(streamed->difference->expected, "") << fault.name << " seed " << seed;
       EXPECT_NE(streamed->difference->actual, "") << fault.name << " seed " << seed;
@@ -229,4 +229,4 @@ TEST(Streams, AForkThatEndsUndecidedSettlesNothing) {
 }
 
 }  // namespace
-}  // namespace toolcomp::fuzz
+}  // namespace toolcomp::judge

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Why a case was or was not judged, or not to its end.
-#include "fuzz/oracle/trial.h"
+#include "judge/oracle/trial.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 #include "fuzz/gen/encode.h"
 #include "spec/language/byte_source.h"
 
-namespace toolcomp::fuzz {
+namespace toolcomp::judge {
 namespace {
 
 Acceptance acceptance(const std::string& program, int angle = 45) {
@@ -42,32 +42,32 @@ TEST(Trials, AreNotMadeOfWhatRepeatsMuch) {
   c.section = "fanuc/tool-offset";
   c.setup.axes = spec::Axes("XYZ");
   c.program = "G01 X1 F100\nM98 P1 L5000\nM30\nO1\nM98 P2 L9999999\nM99\nO2\nX2\nM99\n";
-  const Trial trial = try_short(c);
+  const Trial trial = fuzz::try_short(c);
   EXPECT_EQ(trial.acceptance, Acceptance::too_long);
   EXPECT_EQ(name(trial.acceptance), "too long");
   EXPECT_FALSE(trial.found());
   EXPECT_TRUE(trial.run.events.empty());
-  DriverOptions options;
+  fuzz::DriverOptions options;
   options.section = c.section;
-  Driver driver(options);
+  fuzz::Driver driver(options);
   driver.revisit(c);
   EXPECT_EQ(driver.result().executions, 1U);
   EXPECT_EQ(driver.result().count(Acceptance::too_long), 1U);
   c.program = "G01 X1 F100\nM98 P1 L100\nM30\nO1\nX2\nM99\n";
-  EXPECT_EQ(try_short(c).acceptance, Acceptance::accepted);
+  EXPECT_EQ(fuzz::try_short(c).acceptance, Acceptance::accepted);
 }
 
-// The axes of a tip far from the origin, which one axis of the table turns: 9 u M by the derivation in fuzz/README.md,
+// The axes of a tip far from the origin, which one axis of the table turns: 9 u M by the derivation in judge/README.md,
 // and no vector has a part in it.
 TEST(Trials, JudgeAxesTurnedFromFar) {
   const spec::Case c =
-      decode("fanuc/leading-edge-offset",
-             spec::read_file(TOOLCOMP_SOURCE_DIR "/corpus/seeds/fanuc/leading_edge_offset_unrestricted/"
-                                                 "axes_turned_from_far.txt"));
+      fuzz::decode("fanuc/leading-edge-offset",
+                   spec::read_file(TOOLCOMP_SOURCE_DIR "/corpus/seeds/fanuc/leading_edge_offset_unrestricted/"
+                                                       "axes_turned_from_far.txt"));
   const ModelRun run = run_model(c);
   const std::vector<fast::Event> events = run_fast(c);
   const auto worst = [&](const char* field) {
-    const Verdict v = judge(c, run, events, {{"kind", "line", field}, {}});
+    const Verdict v = judge::judge(c, run, events, {{"kind", "line", field}, {}});
     EXPECT_EQ(v.outcome, Outcome::agrees) << field;
     return v.worst_ulp;
   };
@@ -87,13 +87,13 @@ TEST(Trials, TheEndWithoutAnAlarmIsJudged) {
     const ModelRun run = run_model(c);
     const std::vector<fast::Event> right = run_fast(c);
     ASSERT_EQ(right.size(), 2U);
-    const Verdict v = judge(c, run, right);
+    const Verdict v = judge::judge(c, run, right);
     EXPECT_EQ(v.outcome, Outcome::agrees);
     EXPECT_TRUE(v.beyond);
     const auto differs = [&](auto change) {
       std::vector<fast::Event> events = right;
       change(events);
-      return judge(c, run, events).outcome == Outcome::differs;
+      return judge::judge(c, run, events).outcome == Outcome::differs;
     };
     EXPECT_TRUE(differs([](auto& events) { events.back().number = "G82"; }));
     EXPECT_TRUE(differs([](auto& events) { events.back().line = 3; }));
@@ -118,13 +118,13 @@ TEST(Trials, EndWhereAControllerIsNotKnown) {
   std::vector<spec::TextEvent> answer = {certify::in_text(run.events.at(0), 20)};
   answer.push_back(answer[0]);
   answer.back().line = 3;
-  const Verdict v = judge(c, run, std::span<const spec::TextEvent>(answer));
+  const Verdict v = judge::judge(c, run, std::span<const spec::TextEvent>(answer));
   EXPECT_EQ(v.outcome, Outcome::agrees);
   ASSERT_TRUE(v.beyond);
   EXPECT_EQ(v.events, 1U);
   answer[0].line = 7;
-  EXPECT_EQ(judge(c, run, std::span<const spec::TextEvent>(answer)).outcome, Outcome::differs);
+  EXPECT_EQ(judge::judge(c, run, std::span<const spec::TextEvent>(answer)).outcome, Outcome::differs);
 }
 
 }  // namespace
-}  // namespace toolcomp::fuzz
+}  // namespace toolcomp::judge

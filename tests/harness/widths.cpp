@@ -11,10 +11,10 @@
 #include "corpus/golden.h"
 #include "fuzz/gen/encode.h"
 #include "fuzz/gen/generator.h"
-#include "fuzz/oracle/trial.h"
+#include "judge/oracle/trial.h"
 #include "tests/effort.h"
 
-namespace toolcomp::fuzz {
+namespace toolcomp::judge {
 namespace {
 
 std::size_t generated_cases() {
@@ -70,8 +70,8 @@ TEST_P(WidthsOf, AreNarrow) {
   };
   corpus::Selection selection;
   selection.sections = {section};
-  for (const corpus::Vector& vector : corpus::read_vectors(corpus::default_folder(), selection)) judge(vector.c);
-  for (const spec::Case& c : certify::select_cases(section, 1, generated_cases()).cases) judge(c);
+  for (const corpus::Vector& vector : corpus::read_vectors(corpus::default_folder(), selection)) judge::judge(vector.c);
+  for (const spec::Case& c : certify::select_cases(section, 1, generated_cases()).cases) judge::judge(c);
   ASSERT_GT(widths.count(), 0U);
   std::printf("%s\n",
               fmt::format("{:<36} {:>8} values, median {:.2g} um, 99 % {:.2g} um, largest {:.2g} um, above 1 nm "
@@ -90,7 +90,7 @@ TEST_P(WidthsOf, AreNarrow) {
 }
 
 Widths widths_of(const std::string& case_text) {
-  const Trial trial = try_case(decode("fanuc/tool-posture-control", case_text));
+  const Trial trial = try_case(fuzz::decode("fanuc/tool-posture-control", case_text));
   EXPECT_FALSE(trial.found()) << case_text;
   return trial.verdict.widths;
 }
@@ -127,7 +127,8 @@ std::string test_name(const testing::TestParamInfo<std::string_view>& section) {
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Sections, WidthsOf, testing::ValuesIn(sections().begin(), sections().end()), test_name);
+INSTANTIATE_TEST_SUITE_P(Sections, WidthsOf, testing::ValuesIn(fuzz::sections().begin(), fuzz::sections().end()),
+                         test_name);
 
 }  // namespace
-}  // namespace toolcomp::fuzz
+}  // namespace toolcomp::judge

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <string>
 
-#include "certify/campaign.h"
+#include "certify/certification.h"
 #include "certify/replay.h"
 #include "certify/report.h"
 #include "certify/selection.h"
@@ -38,8 +38,8 @@ const std::vector<CaseInput>& cases() {
   return all;
 }
 
-CampaignOptions options(const std::string& fault) {
-  CampaignOptions o;
+CertificationOptions options(const std::string& fault) {
+  CertificationOptions o;
   o.controller = std::string("'") + TOOLCOMP_BINARY_DIR + "/toolcomp_faulty_controller' " + fault;
   o.cases = cases();
   if (fault.find("hang") != std::string::npos) o.cases.resize(kCasesOfHangs);
@@ -57,7 +57,7 @@ struct Wrong {
 class Controllers : public testing::TestWithParam<Wrong> {};
 
 TEST_P(Controllers, AreFoundInFewGroups) {
-  const CampaignOptions asked = options(GetParam().fault);
+  const CertificationOptions asked = options(GetParam().fault);
   const Certificate c = certify::certify(asked);
   EXPECT_EQ(exit_status(c), 1);
   ASSERT_FALSE(c.findings.empty());

@@ -31,7 +31,7 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SOURCES = {
     "fast": ["fast/**/*.cpp"],
-    "oracle": ["fuzz/oracle/*.cpp", "certify/judge.cpp", "certify/certificate.cpp", "certify/capabilities.cpp",
+    "oracle": ["judge/oracle/*.cpp", "certify/judge.cpp", "certify/certificate.cpp", "certify/capabilities.cpp",
                "certify/event_fields.cpp", "certify/controller.cpp"],
 }
 # The sound engine takes some half a minute for 5,000 executions a section: what takes so long hangs.
@@ -43,16 +43,16 @@ FAST_TESTS = [("unit", ":".join(sorted({f"{suite}.*" for path in ROOT.glob("test
 ORACLE_TESTS = [("unit", "Answers.*:Capabilities.*:FindingFile.*:FilesOfFindings.*:Report.*:LabelPlaces.*:Markup.*:PathSvg.*:"
                          "ToolShapes.*", "certify"),
                 ("harness", "Comparator.*:Conditions.*:ArcFit.*:PoseErrors.*:PoseFit.*:RotaryMachines.*:NearTies.*:Space*:"
-                            "HeadsBeforeAlarms.*:RadiusArcs.*:Regression.*:Singular.*:Trials.*:Widths.*", "fuzz"),
-                ("toolcomp", "corpus hard", "fuzz"),
-                ("harness", "*Liars.*", "fuzz"),
-                ("toolcomp", "corpus check", "fuzz"),
-                ("harness_faults", "Streams.*-*WholeCase", "fuzz")]
-SLOW_ORACLE_TESTS = [("harness_faults", "SeededFaults.Each*", "fuzz"),
+                            "HeadsBeforeAlarms.*:RadiusArcs.*:Regression.*:Singular.*:Trials.*:Widths.*", "judge"),
+                ("toolcomp", "corpus hard", "judge"),
+                ("harness", "*Liars.*", "judge"),
+                ("toolcomp", "corpus check", "judge"),
+                ("harness_faults", "Streams.*-*WholeCase", "judge")]
+SLOW_ORACLE_TESTS = [("harness_faults", "SeededFaults.Each*", "judge"),
                      ("unit", "Trace*:SharedCause.*", ""),
-                     ("harness_faults", "SeededFaults.The*", "fuzz"),
-                     ("harness", "WidthsOf*:*/WidthsOf*:Laws.*:Inventory.*", "fuzz"),
-                     ("harness_faults", "Streams.*WholeCase", "fuzz"),
+                     ("harness_faults", "SeededFaults.The*", "judge"),
+                     ("harness", "WidthsOf*:*/WidthsOf*:Laws.*:Inventory.*", "judge"),
+                     ("harness_faults", "Streams.*WholeCase", "judge"),
                      ("harness_misbehaviour", "*", "certify")]
 
 SWAPS = [(" < ", " <= "), (" <= ", " < "), (" > ", " >= "), (" >= ", " > "), (" == ", " != "), (" != ", " == "),

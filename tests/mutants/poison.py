@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Is anything certified where an intermediate of a judge is no number?
 
-Copies the trace judge (certify/trace) and the oracle (fuzz/oracle) with each `double NAME = EXPRESSION;` as a place that
+Copies the trace judge (certify/trace) and the oracle (judge/oracle) with each `double NAME = EXPRESSION;` as a place that
 can be made NaN or an infinity, links them before the libraries with poison_main.cc, and runs that: no wrong answer and no
 wrong recording may be certified, whichever place is poisoned."""
 import argparse
@@ -46,7 +46,7 @@ def main():
                      if w.startswith(("-D", "-I", "-std", "-f", "-isystem", "/usr/include"))]
     places = []
     objects = []
-    for folder in ("certify/trace", "fuzz/oracle"):
+    for folder in ("certify/trace", "judge/oracle"):
         sources = []
         for path in sorted((ROOT / folder).glob("*.cpp")):
             source = work / path.name

@@ -18,7 +18,7 @@
 #include "certify/judge.h"
 #include "certify/trace/trace.h"
 #include "fuzz/gen/generator.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 #include "spec/language/input_error.h"
 #include "tests/mutants/poisoned.h"
 
@@ -49,14 +49,14 @@ void add_answers(std::vector<Question>& right, std::vector<Question>& wrong) {
       fuzz::SeededSource source(seed);
       auto c = std::make_shared<spec::Case>(fuzz::generate(section, fuzz::Mode::directed, source));
       try {
-        auto run = std::make_shared<fuzz::ModelRun>(fuzz::run_model(*c));
-        const auto events = fuzz::run_fast(*c);
-        const auto judged = [c, run](const std::vector<fast::Event>& answer, const fuzz::JudgeOptions& how) {
-          return certify::judged(fuzz::judge(*c, *run, answer, how)).result == certify::Result::agrees;
+        auto run = std::make_shared<judge::ModelRun>(judge::run_model(*c));
+        const auto events = judge::run_fast(*c);
+        const auto judged = [c, run](const std::vector<fast::Event>& answer, const judge::JudgeOptions& how) {
+          return certify::judged(judge::judge(*c, *run, answer, how)).result == certify::Result::agrees;
         };
-        fuzz::JudgeOptions rounds;
-        rounds.resolution = {0.001, 0.0001, 0.001, 0.001, fuzz::Rounding::unknown};
-        for (const fuzz::JudgeOptions& how : {fuzz::JudgeOptions{}, rounds}) {
+        judge::JudgeOptions rounds;
+        rounds.resolution = {0.001, 0.0001, 0.001, 0.001, judge::Rounding::unknown};
+        for (const judge::JudgeOptions& how : {judge::JudgeOptions{}, rounds}) {
           const std::string name = fmt::format("{} seed {}", section, seed);
           if (!judged(events, how) || judged(moved(events, 0.01), how)) continue;
           right.push_back({name, [=] { return judged(events, how); }, {}});

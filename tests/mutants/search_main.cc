@@ -10,7 +10,7 @@
 #include <string>
 
 #include "fuzz/gen/generator.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 #include "spec/language/input_error.h"
 
 namespace {
@@ -20,17 +20,17 @@ using namespace toolcomp;
 // What differs; empty where nothing does. Laws are not asked: they look at the model.
 std::string difference(const spec::Case& c) {
   bool refused = false;
-  fuzz::ModelRun run;
+  judge::ModelRun run;
   try {
-    run = fuzz::run_model(c);
+    run = judge::run_model(c);
   } catch (const spec::InputError&) {
     refused = true;
   }
   try {
-    const auto events = fuzz::run_fast(c);
+    const auto events = judge::run_fast(c);
     if (refused) return "a setup that is refused";
-    const fuzz::Verdict verdict = fuzz::judge(c, run, events);
-    if (verdict.outcome == fuzz::Outcome::differs) return fuzz::explain(*verdict.difference);
+    const judge::Verdict verdict = judge::judge(c, run, events);
+    if (verdict.outcome == judge::Outcome::differs) return judge::explain(*verdict.difference);
   } catch (const spec::InputError& error) {
     if (!refused) return error.what();
   } catch (const std::exception& error) {

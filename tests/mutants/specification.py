@@ -92,12 +92,12 @@ def make(build, folder, change=None):
         if was.count(text) < 1:
             sys.exit(f"{name}: there is no {text}")
         file.write_text(was.replace(text, instead, 1))
-    subprocess.run([ROOT / "formal/compile", folder / "extracted", program], check=True, stdout=subprocess.DEVNULL)
-    library = folder / "libtoolcomp_formal_run.a"
-    shutil.copy(build / "formal/libtoolcomp_formal_run.a", library)
+    subprocess.run([ROOT / "spec_engine/compile", folder / "extracted", program], check=True, stdout=subprocess.DEVNULL)
+    library = folder / "libtoolcomp_spec_engine.a"
+    shutil.copy(build / "spec_engine/libtoolcomp_spec_engine.a", library)
     subprocess.run(["ar", "r", library, folder / "extracted/specification.o"], check=True, stderr=subprocess.DEVNULL)
     command = folder / "toolcomp"
-    line = link_command(build).replace("formal/libtoolcomp_formal_run.a", str(library)).replace("-o toolcomp ", f"-o {command} ")
+    line = link_command(build).replace("spec_engine/libtoolcomp_spec_engine.a", str(library)).replace("-o toolcomp ", f"-o {command} ")
     subprocess.run(line, shell=True, check=True, cwd=build, stdout=subprocess.DEVNULL)
     return command
 

@@ -114,12 +114,12 @@ class Bench:
         shutil.copytree(specification.PROGRAM, program)
         (program / name).write_text(changed(program / name, text, instead))
         # What does not rest on the changed file is not made again.
-        shutil.copytree(self.build / "formal/extracted", extracted)
-        subprocess.run([ROOT / "formal/compile", extracted, program], check=True, stdout=subprocess.DEVNULL)
-        library = folder / "libtoolcomp_formal_run.a"
-        shutil.copy(self.build / "formal/libtoolcomp_formal_run.a", library)
+        shutil.copytree(self.build / "spec_engine/extracted", extracted)
+        subprocess.run([ROOT / "spec_engine/compile", extracted, program], check=True, stdout=subprocess.DEVNULL)
+        library = folder / "libtoolcomp_spec_engine.a"
+        shutil.copy(self.build / "spec_engine/libtoolcomp_spec_engine.a", library)
         subprocess.run(["ar", "r", library, folder / "extracted/specification.o"], check=True, stderr=subprocess.DEVNULL)
-        return self.link(folder, "formal/libtoolcomp_formal_run.a", library)
+        return self.link(folder, "spec_engine/libtoolcomp_spec_engine.a", library)
 
 
 def search(program, section, cases):

@@ -21,7 +21,7 @@ namespace {
 using namespace toolcomp;
 
 // The clause of the first difference between the model and this one; nothing where there is none.
-std::string clause(certify::Subject& subject, const spec::Case& c, const fuzz::ModelRun& run) {
+std::string clause(certify::Subject& subject, const spec::Case& c, const judge::ModelRun& run) {
   const auto able = std::get<certify::Capabilities>(subject.capabilities());
   const certify::Judgement judgement = certify::judge_case(subject, able, c, run);
   if (judgement.result != certify::Result::differs) return {};
@@ -37,7 +37,7 @@ struct Found {
 // What is found in one case, and by whom.
 Found found(certify::Subject& engine, certify::Subject& specification, const spec::Case& c) {
   try {
-    const fuzz::ModelRun run = fuzz::run_model(c);
+    const judge::ModelRun run = judge::run_model(c);
     std::string at = clause(specification, c, run);
     if (at.empty()) at = clause(engine, c, run);
     if (at.empty()) return {};

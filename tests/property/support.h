@@ -14,7 +14,7 @@
 #include "fuzz/gen/encode.h"
 #include "fuzz/gen/generator.h"
 #include "fuzz/gen/program_text.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::laws {
@@ -35,19 +35,19 @@ inline spec::Case generated(std::string_view section, fuzz::Mode mode = fuzz::Mo
 }
 
 // The model's events; nothing for a setup no control could have.
-inline std::optional<fuzz::ModelRun> model_run(const spec::Case& c) {
+inline std::optional<judge::ModelRun> model_run(const spec::Case& c) {
   try {
-    return fuzz::run_model(c);
+    return judge::run_model(c);
   } catch (const spec::InputError&) {
     return std::nullopt;
   }
 }
 
 // The fast engine obeys a law of the model if it agrees with the model on both sides of it.
-inline void fast_agrees(const spec::Case& c, const fuzz::ModelRun& run) {
-  const fuzz::Verdict v = fuzz::judge(c, run, fuzz::run_fast(c));
-  if (v.outcome == fuzz::Outcome::differs) RC_LOG() << fuzz::encode(c) << '\n' << fuzz::explain(*v.difference);
-  RC_ASSERT(v.outcome != fuzz::Outcome::differs);
+inline void fast_agrees(const spec::Case& c, const judge::ModelRun& run) {
+  const judge::Verdict v = judge::judge(c, run, judge::run_fast(c));
+  if (v.outcome == judge::Outcome::differs) RC_LOG() << fuzz::encode(c) << '\n' << judge::explain(*v.difference);
+  RC_ASSERT(v.outcome != judge::Outcome::differs);
 }
 
 using Table = spec::AxisValues<Real>;

@@ -11,7 +11,7 @@
 
 #include "certify/adapter_contour.h"
 #include "fuzz/gen/choices.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/setup_format.h"
 
@@ -36,7 +36,7 @@ TEST_P(Machines, RunToTheirEnd) {
   const spec::Setup machine = setup(GetParam());
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const spec::Case c = machine_program(machine, seed);
-    const auto events = fuzz::run_model(c).events;
+    const auto events = judge::run_model(c).events;
     ASSERT_GT(events.size(), 4U) << c.program;
     for (const auto& event : events) ASSERT_EQ(event.kind, spec::EventKind::move) << c.program << event.number.view();
   }

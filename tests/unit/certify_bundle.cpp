@@ -20,8 +20,8 @@
 #include "certify/bundle/seal.h"
 #include "certify/bundle/spool.h"
 #include "certify/schema.h"
-#include "certify/temporary_folder.h"
-#include "corpus/sha256.h"
+#include "host/sha256.h"
+#include "host/temporary_folder.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::certify::bundle {
@@ -42,10 +42,10 @@ TEST(Bundle, PlainNames) {
 }
 
 TEST(Bundle, ASealIsThatOfEveryByte) {
-  const TemporaryFolder folder;
+  const host::TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "f";
   const std::string body = "what stands before";
-  const std::string whole = body + seal(corpus::sha256(body));
+  const std::string whole = body + seal(host::sha256(body));
   // A frame that decompressors skip: 0x184D2A50, its length, its content (RFC 8878).
   EXPECT_EQ(whole.substr(body.size(), 8), std::string("\x50\x2a\x4d\x18\x47\0\0\0", 8));
   EXPECT_EQ(whole.size(), body.size() + 8 + 0x47);
@@ -61,18 +61,18 @@ TEST(Bundle, ASealIsThatOfEveryByte) {
     EXPECT_FALSE(sealed(whole.substr(0, i))) << i;
   }
   EXPECT_FALSE(sealed(whole + "x"));
-  EXPECT_TRUE(sealed(seal(corpus::sha256(""))));
+  EXPECT_TRUE(sealed(seal(host::sha256(""))));
   EXPECT_THROW(static_cast<void>(is_sealed(folder.path() / "none")), spec::InputError);
 }
 
 TEST(Bundle, ASpoolGivesBackWhatItGot) {
-  const TemporaryFolder folder;
+  const host::TemporaryFolder folder;
   Spool spool(folder.path());
   EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << "it has no name";
   const std::string long_line(200'000, 'x');
   spool.append("one\n\n");
   spool.append(long_line + "\nlast");
-  EXPECT_EQ(spool.finish(), corpus::sha256("one\n\n" + long_line + "\nlast"));
+  EXPECT_EQ(spool.finish(), host::sha256("one\n\n" + long_line + "\nlast"));
   EXPECT_EQ(spool.size(), 5 + long_line.size() + 5);
   for (int round = 0; round < 2; ++round) {
     std::string line;
@@ -86,7 +86,7 @@ TEST(Bundle, ASpoolGivesBackWhatItGot) {
 }
 
 TEST(Bundle, AnArchiveIsTheSameEveryTime) {
-  const TemporaryFolder folder;
+  const host::TemporaryFolder folder;
   const auto write = [&](const std::string& name) {
     ArchiveWriter archive(folder.path() / name);
     archive.add("a.txt", "text");
@@ -138,7 +138,7 @@ class Hostile {
     archive_write_free(archive);
     bytes.resize(used);
     const std::filesystem::path file = folder_.path() / "hostile.tar.zst";
-    std::ofstream(file, std::ios::binary) << bytes << seal(corpus::sha256(bytes));
+    std::ofstream(file, std::ios::binary) << bytes << seal(host::sha256(bytes));
     try {
       static_cast<void>(read_bundle(file));
     } catch (const Refused& why) {
@@ -156,13 +156,13 @@ class Hostile {
   }
 
  private:
-  TemporaryFolder folder_;
+  host::TemporaryFolder folder_;
 };
 
 // A manifest that names these files, each of `size` bytes.
 std::string manifest_of(const std::vector<std::string>& files, std::uint64_t size) {
   Manifest manifest;
-  for (const std::string& file : files) manifest.files.push_back({file, size, corpus::sha256("")});
+  for (const std::string& file : files) manifest.files.push_back({file, size, host::sha256("")});
   return write_manifest(manifest);
 }
 

@@ -13,7 +13,7 @@
 
 #include "certify/trace/jet.h"
 #include "fuzz/gen/generator.h"
-#include "fuzz/oracle/control.h"
+#include "judge/oracle/control.h"
 #include "model/fanuc/engine.h"
 #include "spec/language/setup_format.h"
 #include "tests/effort.h"
@@ -140,7 +140,7 @@ Seen look(const std::string& section, std::uint64_t cases) {
     model::Recorder recorder;
     Looker looker(c);
     model::Engine engine(c.setup, recorder, looker, 0, &looker);
-    auto reader = fuzz::FanucControl::reader(spec::text_source(c.program), c.setup, "program");
+    auto reader = judge::FanucControl::reader(spec::text_source(c.program), c.setup, "program");
     spec::Block block;
     while (!engine.stopped() && reader.next(block)) engine.block(block);
     engine.end();

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "certify/judge.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -25,7 +25,7 @@ spec::Case offset_case() {
 class Exact : public testing::Test {
  protected:
   spec::Case c = offset_case();
-  std::vector<model::Event> model = fuzz::run_model(c).events;
+  std::vector<model::Event> model = judge::run_model(c).events;
   std::vector<model::Event> said = model;
 
   [[nodiscard]] Exactly held() const { return hold_exactly(c.setup.axes, model, said); }
@@ -87,7 +87,7 @@ TEST_F(Exact, AJudgeGrantsThemNothing) {
   said[1].axes.set(0, Real(5) + Real(exact::Rational(1) / exact::Rational("1000000000000000000000000000000")));
   Capabilities able;
   able.fields = all_fields();
-  const fuzz::ModelRun run = fuzz::run_model(c);
+  const judge::ModelRun run = judge::run_model(c);
   EXPECT_EQ(judge_answer(able, c, run, {ExactEvents(said), {}, {}}).result, Result::differs);
   EXPECT_EQ(judge_answer(able, c, run, {ExactEvents(model), {}, {}}).result, Result::agrees);
 }

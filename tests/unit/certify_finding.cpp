@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "certify/replay.h"
+#include "host/file_writer.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/case_format.h"
-#include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
 #include "spec/language/known.h"
 
@@ -124,7 +124,7 @@ TEST(FindingFile, ReplayJudgesAgain) {
   Finding f = example();
   f.controller.clear();
   const auto path = std::filesystem::path(testing::TempDir()) / "toolcomp-replay.json";
-  spec::write_file(path, write_finding(f));
+  host::write_file(path, write_finding(f));
   const Replay r = replay(path);
   EXPECT_EQ(r.judgement.result, Result::agrees);
   EXPECT_FALSE(r.reproduced());
@@ -134,13 +134,13 @@ TEST(FindingFile, ReplayJudgesAgain) {
 TEST(FilesOfFindings, AreWrittenWholeOrNotAtAll) {
   const auto folder = std::filesystem::path(testing::TempDir()) / "toolcomp-files";
   std::filesystem::remove_all(folder);
-  spec::write_file(folder / "deep" / "file", "one");
-  spec::write_file(folder / "deep" / "file", "two");
+  host::write_file(folder / "deep" / "file", "one");
+  host::write_file(folder / "deep" / "file", "two");
   EXPECT_EQ(spec::read_file(folder / "deep" / "file"), "two");
   std::size_t entries = 0;
   for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder / "deep")) ++entries;
   EXPECT_EQ(entries, 1U);
-  EXPECT_THROW(spec::write_file(folder / "deep", "over a folder"), std::runtime_error);
+  EXPECT_THROW(host::write_file(folder / "deep", "over a folder"), std::runtime_error);
   EXPECT_THROW(spec::read_file(folder / "none"), spec::InputError);
   EXPECT_THROW(spec::read_file(folder), spec::InputError);
   EXPECT_THROW(spec::read_file(folder / "deep" / "file", 2), spec::InputError);

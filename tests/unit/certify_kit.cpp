@@ -18,7 +18,7 @@
 #include "certify/kit/screen.h"
 #include "certify/trace/recording.h"
 #include "certify/trace/samples.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/fanuc/program_reader.h"
 #include "spec/language/input_error.h"
@@ -312,14 +312,14 @@ TEST(KitTravels, ArcsCountWithAllTheyPass) {
   spec::Case c;
   c.setup = m.setup;
   c.program = "G17 G90 G03 X80. Y0 I40. J0 F100\n";
-  const auto below = kit::extents(m, toolcomp::fuzz::run_model(c).events);
+  const auto below = kit::extents(m, toolcomp::judge::run_model(c).events);
   EXPECT_NEAR(below.at('Y').least, -30, 0.001);
   EXPECT_NEAR(below.at('X').greatest, 80, 0.001);
-  EXPECT_EQ(kit::outside_travels(m, toolcomp::fuzz::run_model(c).events), "");
+  EXPECT_EQ(kit::outside_travels(m, toolcomp::judge::run_model(c).events), "");
   c.program = "G17 G90 G02 X80. Y0 I40. J0 F100\n";
-  EXPECT_NEAR(kit::extents(m, toolcomp::fuzz::run_model(c).events).at('Y').greatest, 50, 0.001);
+  EXPECT_NEAR(kit::extents(m, toolcomp::judge::run_model(c).events).at('Y').greatest, 50, 0.001);
   m.travels.at('Y').greatest = spec::decimal(49);
-  EXPECT_EQ(kit::outside_travels(m, toolcomp::fuzz::run_model(c).events), "Y goes to 50, above 49");
+  EXPECT_EQ(kit::outside_travels(m, toolcomp::judge::run_model(c).events), "Y goes to 50, above 49");
 }
 
 kit::Kit two_alarms() {

@@ -17,7 +17,7 @@
 
 #include "certify/convert.h"
 #include "fuzz/gen/generator.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 #include "spec/language/event_names.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
@@ -487,7 +487,7 @@ std::size_t expect_samples(spec::Case c, const std::string& letters, double tole
     }
     return false;
   };
-  for (const model::Event& exact : fuzz::run_model(c).events) {
+  for (const model::Event& exact : judge::run_model(c).events) {
     const spec::Event<double> event = in_double(exact);
     if (event.kind == spec::EventKind::undecided) break;
     AxisPoint p = last;

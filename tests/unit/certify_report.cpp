@@ -10,13 +10,13 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "certify/campaign.h"
+#include "certify/certification.h"
 #include "certify/convert.h"
 #include "certify/label_places.h"
 #include "certify/markup.h"
 #include "certify/path_svg.h"
 #include "certify/view/tool_shapes.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/known.h"
 
@@ -133,7 +133,7 @@ Certificate example() {
   f.deviation_um = 240000;
   f.errors = "]]> </pre><script>alert(1)</script>";
   f.first_case = "fanuc.tool-length-offset.seed-17.3";
-  for (const model::Event& event : fuzz::run_model(f.smallest).events) f.expected_events.push_back(in_double(event));
+  for (const model::Event& event : judge::run_model(f.smallest).events) f.expected_events.push_back(in_double(event));
   f.actual_events = f.expected_events;
   f.actual_events.at(0).axes.set(2, -120);
   f.event = 0;
@@ -486,7 +486,7 @@ TEST(Markup, PlainNumbers) {
 
 std::vector<spec::Event<double>> events(const spec::Case& c) {
   std::vector<spec::Event<double>> result;
-  for (const model::Event& event : fuzz::run_model(c).events) result.push_back(in_double(event));
+  for (const model::Event& event : judge::run_model(c).events) result.push_back(in_double(event));
   return result;
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "certify/report.h"
-#include "corpus/sha256.h"
+#include "host/sha256.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -115,7 +115,7 @@ TEST(Sarif, AGroupOfFindingsIsOneResult) {
   EXPECT_EQ(cause.at("relatedLocations").at(0).at("physicalLocation").at("artifactLocation").at("uri"),
             "findings/01-coordinate.json");
   EXPECT_EQ(cause.at("partialFingerprints").at("finding/v1"),
-            corpus::sha256("fanuc/tool-length-offset\nfanuc.length-offset.one-number\nmissing event"));
+            host::sha256("fanuc/tool-length-offset\nfanuc.length-offset.one-number\nmissing event"));
   const Json& crash = run.at("results").at(1);
   EXPECT_EQ(crash.at("ruleId"), "no-clause.crash");
   EXPECT_EQ(crash.at("properties").at("settled"), false);

@@ -167,7 +167,7 @@ Finding settled(Wrong& wrong, const std::vector<spec::Case>& asked, const Eviden
   Answer answer;
   for (const spec::Case& c : asked) answer = wrong.run(c, {});
   const spec::Case& last = asked.back();
-  const Judgement judgement = judge_answer(able, last, fuzz::run_model(last), answer);
+  const Judgement judgement = judge_answer(able, last, judge::run_model(last), answer);
   EXPECT_EQ(judgement.result, Result::differs);
   return make_finding(wrong, able, {last, judgement, events_in_double(answer), {asked.begin(), asked.end() - 1}},
                       options);

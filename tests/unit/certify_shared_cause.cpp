@@ -32,7 +32,7 @@ const std::vector<std::string> kPrograms{
 
 Events events_of(const spec::Case& c) {
   Events events;
-  for (const model::Event& event : fuzz::run_model(c).events) events.push_back(in_double(event));
+  for (const model::Event& event : judge::run_model(c).events) events.push_back(in_double(event));
   return events;
 }
 

@@ -14,12 +14,12 @@
 #include "certify/fuzzing/settler.h"
 #include "certify/fuzzing/shape.h"
 #include "certify/fuzzing/state.h"
-#include "certify/temporary_folder.h"
 #include "fuzz/campaign/black_box.h"
 #include "fuzz/campaign/counters.h"
 #include "fuzz/campaign/diary.h"
 #include "fuzz/campaign/floors.h"
-#include "spec/language/file_writer.h"
+#include "host/file_writer.h"
+#include "host/temporary_folder.h"
 
 namespace toolcomp::certify::fuzzing {
 namespace {
@@ -137,7 +137,7 @@ TEST(Floors, WhatIsJudgedTooSeldomSaysSo) {
   lawless.law_checks = 10;
   EXPECT_EQ(fuzz::shortfalls(directed, lawless).size(), 1U);
   fuzz::Counters open = result;
-  open.acceptance[static_cast<std::size_t>(fuzz::Acceptance::not_decided)] = 1;
+  open.acceptance[static_cast<std::size_t>(judge::Acceptance::not_decided)] = 1;
   EXPECT_EQ(fuzz::shortfalls(directed, open).size(), 1U);
   fuzz::Counters none = result;
   none.values = 0;
@@ -153,7 +153,7 @@ TEST(Floors, SeededFaultsAreFoundWithinTheirBudgets) {
 }
 
 TEST(BlackBox, OutlivesItsProcess) {
-  const TemporaryFolder folder;
+  const host::TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "box";
   {
     fuzz::BlackBox box(file);
@@ -173,7 +173,7 @@ TEST(BlackBox, OutlivesItsProcess) {
 }
 
 TEST(Diary, KeepsTheFirstHitsOfAGroupThenEverFewer) {
-  const TemporaryFolder folder;
+  const host::TemporaryFolder folder;
   fuzz::Diary diary(folder.path(), "tool_offset_directed", 5);
   for (int i = 0; i < 500; ++i)
     diary.hit("group", 1, [i](const fuzz::HowFound&) { return std::to_string(i); }, ".json");
@@ -189,10 +189,10 @@ TEST(Diary, KeepsTheFirstHitsOfAGroupThenEverFewer) {
 
 // Where no file can be made what was found is in the black box.
 TEST(Diary, WhatCannotBeWrittenIsKept) {
-  const TemporaryFolder folder;
+  const host::TemporaryFolder folder;
   fuzz::Diary diary(folder.path(), "tool_offset_directed", 5);
   std::filesystem::remove_all(folder.path() / fuzz::Diary::kFindings);
-  spec::write_file(folder.path() / fuzz::Diary::kFindings, "no folder");
+  host::write_file(folder.path() / fuzz::Diary::kFindings, "no folder");
   diary.hit("group", 7, [](const fuzz::HowFound& how) { return how.target; }, ".json");
   EXPECT_TRUE(diary.failed());
   EXPECT_EQ(
@@ -214,7 +214,7 @@ TEST(Settled, IsReadBack) {
 
 TEST(OutcomeWindow, CountsWhatCameInTheLastMinute) {
   OutcomeWindow window;
-  const Clock::time_point start = Clock::now();
+  const host::Clock::time_point start = host::Clock::now();
   const auto at = [start](int seconds) { return start + std::chrono::seconds(seconds); };
   EXPECT_EQ(window.fresh("t", 10, at(0)), 0U);
   EXPECT_EQ(window.fresh("t", 13, at(20)), 3U);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "corpus/examples.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 #include "spec/language/setup_format.h"
 #include "tests/support/setup_with_feed.h"
 
@@ -127,7 +127,7 @@ model::Recorder decisions_of(std::string_view setup, std::string_view program, s
   c.setup = test::setup_with_feed(setup);
   c.program = program;
   c.samples = samples;
-  return fuzz::run_model(c).recorder;
+  return judge::run_model(c).recorder;
 }
 
 // By the examples of the golden corpus, whose figures are held by tests, and the programs above.

@@ -24,7 +24,7 @@
 #include "fast/geometry/corner.h"
 #include "fast/heidenhain/program/tool_vector.h"
 #include "fast/kinematics/direction.h"
-#include "fuzz/oracle/policy.h"
+#include "judge/oracle/policy.h"
 #include "tests/effort.h"
 
 namespace {
@@ -32,7 +32,7 @@ namespace {
 namespace fs = std::filesystem;
 namespace fast = toolcomp::fast;
 namespace klartext = toolcomp::fast::klartext;
-namespace policy = toolcomp::fuzz::policy;
+namespace policy = toolcomp::judge::policy;
 
 const fs::path kSource = TOOLCOMP_SOURCE_DIR;
 const fs::path kScripts = kSource / "spec/formal/rounding";

@@ -20,11 +20,11 @@ CannedCycle::CannedCycle(const spec::Setup& setup) : by_plane_(setup.bit(5101, 0
 CycleCommand CannedCycle::read(const Words& words, std::size_t normal) const {
   CycleCommand command;
   const Code back = words.code(Words::kReturn);
-  command.to_point_r = back == kNone ? to_point_r_ : back == 990;
+  command.to_point_r = back == kNone ? to_point_r_ : back == kG99;
   // Of any code of group 01, before that of a cycle or behind it.
   if (words.code(Words::kMotion) != kNone && !fault(Fault::cycle_survives_motion_code)) return command;
   const Code code = words.code(Words::kCycle);
-  if (code == 800) return command;
+  if (code == kG80) return command;
   command.cycle = code == kNone ? cycle_ : code;
   if (!command.on()) return command;
 
@@ -39,15 +39,15 @@ CycleCommand CannedCycle::read(const Words& words, std::size_t normal) const {
 
 bool CannedCycle::is_said(const Words& words, const CycleCommand& command) const {
   const Code one_shot = words.code(Words::kOneShot);
-  if (one_shot == 370 || one_shot == 390 || one_shot == 530) return false;
+  if (one_shot == kG37 || one_shot == kG39 || one_shot == kG53) return false;
   if (command.axis == spec::Axes::kNone || (!command.begins && command.axis != axis_)) return false;
   if (!command.drills) return true;
   return command.repeats <= CycleCommand::kMostRepeats &&
-         !(command.cycle == 870 && command.to_point_r && command.makes_holes());
+         !(command.cycle == kG87 && command.to_point_r && command.makes_holes());
 }
 
 bool CannedCycle::lacks_depth_of_cut(const Words& words, const CycleCommand& command) const {
-  if ((command.cycle != 730 && command.cycle != 830) || !command.makes_holes()) return false;
+  if ((command.cycle != kG73 && command.cycle != kG83) || !command.makes_holes()) return false;
   return words.has('Q') ? words['Q'].is_zero() : command.begins || !has_depth_of_cut_;
 }
 

@@ -46,9 +46,9 @@ void Control::name_place(Event& event) {
 Alarm Control::shift_coordinates(const Words& words) {
   const Alarm a = for_each_axis(words.axes(), [&](std::size_t axis) {
     const Count word = units.value(words.axis(axis), (axes.linear & bit(axis)) != 0);
-    return words.code(Words::kOneShot) == 520 ? positions.set_local(axis, word) : positions.shift(axis, word);
+    return words.code(Words::kOneShot) == kG52 ? positions.set_local(axis, word) : positions.shift(axis, word);
   });
-  if (words.code(Words::kOneShot) == 520)
+  if (words.code(Words::kOneShot) == kG52)
     positions.end_origins();
   else
     positions.end_shift(words.axes());

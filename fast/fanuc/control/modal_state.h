@@ -19,7 +19,7 @@ inline constexpr std::uint32_t kArcLetters = Words::set_of("IJKR");
 
 // G17 G18 G19.
 constexpr spec::Plane plane_of(Code code) {
-  return code == 170 ? spec::Plane::xy : (code == 180 ? spec::Plane::zx : spec::Plane::yz);
+  return code == kG17 ? spec::Plane::xy : (code == kG18 ? spec::Plane::zx : spec::Plane::yz);
 }
 
 // Which of X Y Z (0, 1, 2) is axis i (0, 1) of a plane: XY, ZX, YZ.
@@ -46,12 +46,12 @@ class ModalState {
   [[nodiscard]] Code motion() const { return motion_; }
   void set_motion(Code code) { motion_ = code; }
   [[nodiscard]] spec::MoveType straight() const {
-    return motion_ == 0 ? spec::MoveType::rapid : spec::MoveType::linear;
+    return motion_ == kG00 ? spec::MoveType::rapid : spec::MoveType::linear;
   }
   // G02 or G03 in force, and an axis word of the plane or a letter of an arc: anything else is straight. A block with a
   // code of group 00 but G45 to G48, a dwell say, is no arc, whatever its words.
   [[nodiscard]] bool is_arc(const Words& words) const {
-    return motion_ > 10 && ((words.axes() & plane_axes_) != 0 || words.has_any(arc_letters_)) &&
+    return motion_ > kG01 && ((words.axes() & plane_axes_) != 0 || words.has_any(arc_letters_)) &&
            (words.code(Words::kOneShot) == kNone || words.is_tool_offset());
   }
 
@@ -110,7 +110,7 @@ class ModalState {
  private:
   std::array<std::size_t, 3> xyz_;
   bool line_without_center_;
-  Code motion_ = 0;
+  Code motion_ = kG00;
   spec::Plane plane_ = spec::Plane::xy;
   std::array<std::size_t, 2> plane_axis_{};
   Mask plane_axes_ = 0;  // those of them that are there

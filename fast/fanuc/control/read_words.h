@@ -20,7 +20,7 @@ inline void WordUnits::read(Count& to, const spec::Decimal& word) const {
 
 template <class Arc>
 void ModalState::read_arc(const Words& words, const WordUnits& units, Arc& arc) const {
-  arc.clockwise = motion_ == 20;
+  arc.clockwise = motion_ == kG02;
   arc.by_radius = words.has('R');
   for (std::size_t i = 0; i < 2; ++i) {
     const char letter = plane_letter_[i];

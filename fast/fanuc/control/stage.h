@@ -18,7 +18,7 @@ namespace toolcomp::fast {
 
 // What the words of a block command, before anything is changed.
 struct Command {
-  Code motion = 0;          // group 01 after the block
+  Code motion = kG00;       // group 01 after the block
   bool along = false;       // G43.4 or G43.5 is in force after the block
   bool vector = false;      // and it is G43.5
   bool ends_along = false;  // the one in force before is ended, by G49 or by another

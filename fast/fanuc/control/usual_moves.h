@@ -16,7 +16,7 @@ namespace toolcomp::fast {
 
 // Of a block: what its words say, 10^-6.
 struct UsualMove {
-  Code motion = 10;  // G01 G02 G03, in tenths
+  Code motion = kG01;  // G01 G02 G03, in tenths
   bool has_feed = false;
   WholePair to{};
   WholePair to_center{};    // of an arc, from its start
@@ -51,7 +51,7 @@ class UsualMoveWords {
 inline bool UsualMoveWords::begin() {
   const ModalState& modal = control_.modal;
   const std::array<std::size_t, 2>& axis = modal.plane_axis();
-  if (modal.motion() < 10 || modal.by_vector() || axis[0] == spec::Axes::kNone || axis[1] == spec::Axes::kNone ||
+  if (modal.motion() < kG01 || modal.by_vector() || axis[0] == spec::Axes::kNone || axis[1] == spec::Axes::kNone ||
       !usual_words_may_come(control_) || control_.limits_radii())
     return false;
   std::uint32_t letters = UsualWords::set_of("FGR");
@@ -75,13 +75,13 @@ inline bool UsualMoveWords::begin() {
     motion = static_cast<Code>(10 * first.value.digits);
   }
   if (control_.modal.incremental()) return false;
-  if (motion == 10) {
+  if (motion == kG01) {
     move.motion = motion;
     return block.size == 2 + codes && UsualWords::are_in_order(words, letter_) &&
            UsualWords::read_short(words, move.to);
   }
   std::array<std::int64_t, 4> values{};
-  if (block.size != 4 + codes || motion < 10 || !UsualWords::are_in_order(words, arc_letter_) ||
+  if (block.size != 4 + codes || motion < kG01 || !UsualWords::are_in_order(words, arc_letter_) ||
       !UsualWords::read_short(words, values))
     return false;
   move.motion = motion;
@@ -116,7 +116,7 @@ inline bool UsualMoveWords::begin() {
   if (by_radius) move.radius = words_[UsualWords::at('R')];
   // R 0 is none.
   if (by_radius && (centers || move.radius == 0)) return false;
-  return (centers || by_radius) == (move.motion > 10);
+  return (centers || by_radius) == (move.motion > kG01);
 }
 
 }  // namespace toolcomp::fast

@@ -40,7 +40,7 @@ Alarm ToolAttitude::plan_line(std::int64_t i, std::int64_t j, std::int64_t k) {
 
 bool UsualTipLines::may_come() const {
   const AxisPositions& positions = control_.positions;
-  return is_open(ShortCut::tip_line) && control_.attitude.awaits_lines() && control_.modal.motion() <= 10 &&
+  return is_open(ShortCut::tip_line) && control_.attitude.awaits_lines() && control_.modal.motion() <= kG01 &&
          !control_.modal.incremental() && usual_positions_may_come(control_) && positions.length().live() == 0;
 }
 

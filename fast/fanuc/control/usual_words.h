@@ -28,7 +28,7 @@ inline bool usual_words_may_come(const Control& control) {
          !(control.modal.incremental() && fault(Fault::incremental_from_offset_position));
 }
 inline bool usual_lines_may_come(const Control& control) {
-  return control.modal.motion() <= 10 && usual_words_may_come(control);
+  return control.modal.motion() <= kG01 && usual_words_may_come(control);
 }
 
 // A short cut takes blocks in place of others, and hands them back to those.

@@ -13,7 +13,7 @@ WordUnits::WordUnits(const spec::Setup& setup)
       plain_(!counts_increments_) {}
 
 void WordUnits::select(Code units) {
-  inch_program_ = units == 200;
+  inch_program_ = units == kG20;
   plain_ = !counts_increments_ && inch_program_ == inch_setup_;
 }
 

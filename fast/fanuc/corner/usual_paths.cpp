@@ -81,11 +81,11 @@ BlockTaker& UsualPaths::leave() {
   const auto& [motion, has_feed, to, to_center, radius] = move;
   const WholePair way{to[0] - at_[0], to[1] - at_[1]};
   if (!is_usual_position(to) || !is_usual_way(way)) return false;
-  if (motion == 10) {
+  if (motion == kG01) {
     set_usual_line(*next_, way);
     return next_->start.norm > loan_.shortest;
   }
-  const int sigma = motion == 20 ? -1 : 1;
+  const int sigma = motion == kG02 ? -1 : 1;
   if (radius != 0) [[unlikely]]
     return is_usual_way({radius, 0}) && set_usual_arc_by_radius(*next_, way, radius, sigma) &&
            has_offset_path(*next_, loan_.offset);

@@ -17,25 +17,25 @@ constexpr bool kIsC = std::is_same_v<Compensation, CutterCompensationC>;
 
 CutterSide side_of(Code code) {
   switch (code) {
-    case 400:
-    case 412:  // of the same group
-    case 413:
-    case 416:
-    case 422:
-    case 426:
+    case kG40:
+    case kG41_2:  // of the same group
+    case kG41_3:
+    case kG41_6:
+    case kG42_2:
+    case kG42_6:
       return CutterSide::off;
-    case 410:
+    case kG41:
       return CutterSide::left;
-    case 420:
+    case kG42:
       return CutterSide::right;
     default:
       return CutterSide::unchanged;
   }
 }
 
-bool is_own(Code code) { return code == 410 || code == 420; }
+bool is_own(Code code) { return code == kG41 || code == kG42; }
 // A code of another compensation of the same group.
-bool is_other(Code code) { return code != kNone && code != 400 && !is_own(code); }
+bool is_other(Code code) { return code != kNone && code != kG40 && !is_own(code); }
 
 }  // namespace
 
@@ -63,7 +63,7 @@ bool CutterStage<Compensation>::in_force_after(const Words& words) const {
 template <class Compensation>
 void CutterStage<Compensation>::read(const Words& words, const Command& /*command*/) {
   const bool concerned =
-      is_own(words.code(Words::kCompensation)) || words.code(Words::kOneShot) == 390 || compensation_.active();
+      is_own(words.code(Words::kCompensation)) || words.code(Words::kOneShot) == kG39 || compensation_.active();
   const auto numbered = [&] { return !kIsC<Compensation> || control_.cutter_value.number_after(words).number != 0; };
   set_read(concerned, is_on(), in_force_after(words) && numbered());
 }
@@ -83,7 +83,7 @@ CutterCommand CutterStage<Compensation>::command_of(const Words& words, Code mot
     if (i != spec::Axes::kNone) in_plane = static_cast<Mask>(in_plane | bit(i));
   CutterCommand command;
   command.word = side_of(words.code(Words::kCompensation));
-  command.corner_arc = words.code(Words::kOneShot) == 390;
+  command.corner_arc = words.code(Words::kOneShot) == kG39;
   command.axis_word = words.axes() != 0;
   command.plane_word = (words.axes() & in_plane) != 0;
   command.outside_word = (words.axes() & ~in_plane) != 0;
@@ -97,7 +97,7 @@ CutterCommand CutterStage<Compensation>::command_of(const Words& words, Code mot
   command.letters_zero &= command.letters;
   command.no_direction =
       command.letters ? command.letters_zero : (!command.plane_word || stays(words, words.axes() & in_plane));
-  command.arc = motion > 10 && words.code(Words::kOneShot) == kNone &&
+  command.arc = motion > kG01 && words.code(Words::kOneShot) == kNone &&
                 (command.plane_word || words.has('R') || words.has_any(kDirectionLetters));
   command.d_word = value.commanded(words).has_value();
   command.d = value.number_after(words).number;
@@ -160,7 +160,7 @@ template <class Compensation>
 Alarm CutterStage<Compensation>::take(const Words& words, Command& command) {
   set_takes_moves(concerned());
   if (!concerned()) return AlarmCause::none;
-  stops_ = kIsC<Compensation> && (words.suppresses_look_ahead() || words.code(Words::kOneShot) == 530) &&
+  stops_ = kIsC<Compensation> && (words.suppresses_look_ahead() || words.code(Words::kOneShot) == kG53) &&
            !fault(Fault::c_reads_past_stop);
   CutterValue& value = control_.cutter_value;
   const bool d_word = value.commanded(words).has_value();
@@ -263,7 +263,7 @@ Alarm CutterStage<Compensation>::move(const Words& words, const OwnMove& own) {
     block.to_center = own.arc.words.to_center;
     block.radius = own.arc.words.radius;
     block.motion = CutterMotion::arc;
-  } else if (own.one_shot == 390) {
+  } else if (own.one_shot == kG39) {
     if (const Alarm a = corner_direction(words, block)) return a;
     block.motion = CutterMotion::corner_arc;
   } else if (axes == 0 || block.named == 0) {
@@ -432,7 +432,7 @@ Alarm CutterStage<Compensation>::plain_block(const Words& words) {
   if (plane[0] == spec::Axes::kNone || plane[1] == spec::Axes::kNone) [[unlikely]]
     return side_ == CutterSide::off ? plan_and_move(words) : AlarmCause::plane_axis_missing;
   bool arc = false;
-  if (modal.motion() > 10) {
+  if (modal.motion() > kG01) {
     if (const Alarm a = check_plain_arc(words)) return a;
     arc = modal.is_arc(words);
   }

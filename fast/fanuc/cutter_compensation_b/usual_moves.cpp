@@ -54,7 +54,7 @@ BlockTaker& UsualCutterMoves::leave() {
 [[gnu::always_inline]] inline bool UsualCutterMoves::make_arc(const WholePair& way, const UsualMove& move) {
   const WholePair from{-move.to_center[0], -move.to_center[1]};
   const WholePair to{from[0] + way[0], from[1] + way[1]};
-  const int sigma = move.motion == 20 ? -1 : 1;
+  const int sigma = move.motion == kG02 ? -1 : 1;
   UsualArc made;
   if (move.radius != 0 || !make_usual_arc(from, to, sigma, vector_.value, vector_.offset, made)) return false;
   spec::Arc<double>& arc = *arc_.arc;
@@ -79,7 +79,7 @@ void UsualCutterMoves::set_feed() {
   const WholePair way{move.to[0] - at_[0], move.to[1] - at_[1]};
   if (!is_usual_position(move.to) || !is_usual_way(way)) [[unlikely]]
     return false;
-  const bool is_line = move.motion == 10;
+  const bool is_line = move.motion == kG01;
   if (!(is_line ? make_line(way) : make_arc(way, move))) [[unlikely]]
     return false;
   vector_.is_new = true;

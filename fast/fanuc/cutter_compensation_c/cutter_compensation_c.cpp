@@ -24,7 +24,7 @@ Heading heading_of(const CutterBlock& block) {
 }  // namespace
 
 CutterCompensationC::CutterCompensationC(const spec::Setup& setup, EventSink& sink)
-    : CornerStage(sink, CutterParameters(setup).still_limit + 2, 4), parameters_(setup), make_(parameters_) {}
+    : CornerQueue(sink, CutterParameters(setup).still_limit + 2, 4), parameters_(setup), make_(parameters_) {}
 
 Alarm CutterCompensationC::check(const CutterCommand& command) const {
   const CutterSide side = command.word == CutterSide::unchanged ? side_ : command.word;
@@ -183,7 +183,7 @@ StageEnd CutterCompensationC::second_block(CutterBlock& block, CutterPath& to) {
   checked_ = !starts_up && !fresh_ && !parameters_.no_interference;
   fresh_ = false;
   after_start_ = starts_up;
-  CornerStage::hold_path(to, starts_up);
+  CornerQueue::hold_path(to, starts_up);
 }
 
 // From the last head of the corner before it straight to its end, without a vector.
@@ -245,7 +245,7 @@ StageEnd CutterCompensationC::still_block(CutterBlock& block) {
       end.undecided = "fanuc.cutter-c.corner-arc-without-next-block";
       return end;
     }
-    return CornerStage::still_block(block, weight, limit);
+    return CornerQueue::still_block(block, weight, limit);
   }
   if (mode_ == Mode::starts) {
     still_ = static_cast<std::uint8_t>(still_ + weight);

@@ -10,7 +10,7 @@
 
 #include "fast/basis/event.h"
 #include "fast/basis/fault.h"
-#include "fast/fanuc/corner/corner_stage.h"
+#include "fast/fanuc/corner/corner_queue.h"
 #include "fast/fanuc/corner/usual_paths.h"
 #include "fast/fanuc/cutter_compensation_c/cutter_group.h"
 #include "fast/fanuc/cutter_compensation_c/cutter_interference.h"
@@ -31,7 +31,7 @@ struct CutterPath {
 };
 
 // Look-ahead: a block that moves in the plane, blocks after it that do not, and the next one.
-class CutterCompensationC : public CornerStage<CutterCompensationC, CutterBlock, CutterPath, CutterGroup>,
+class CutterCompensationC : public CornerQueue<CutterCompensationC, CutterBlock, CutterPath, CutterGroup>,
                             public UsualPathLender {
  public:
   // Throws spec::InputError for parameters no control could have.
@@ -93,7 +93,7 @@ class CutterCompensationC : public CornerStage<CutterCompensationC, CutterBlock,
 
  private:
   // What the machine asks for.
-  friend CornerStage;
+  friend CornerQueue;
   static bool is_arc(const CutterBlock& block) { return block.motion == CutterMotion::arc; }
   // G41 or G42 that changes nothing.
   [[nodiscard]] bool repeats(const CutterBlock& block) const {

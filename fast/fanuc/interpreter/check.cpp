@@ -16,7 +16,7 @@ Alarm Interpreter::check(const Words& words, Command& command) const {
     for (const auto& stage : asked_)
       if (!stage->is_built(words)) return AlarmCause::unknown_code;
   const std::uint32_t list = words.has('L') ? whole_number(words['L'], 99) : 100;
-  if (one_shot == 100 && !words.writes_origin() && !memory.has_list(list)) return AlarmCause::g10_kind;
+  if (one_shot == kG10 && !words.writes_origin() && !memory.has_list(list)) return AlarmCause::g10_kind;
   for (const char letter : {'H', 'D'})
     if (words.has(letter) && whole_number(words[letter], memory.count()) > memory.count())
       return AlarmCause::offset_number;
@@ -37,13 +37,13 @@ Alarm Interpreter::check(const Words& words, Command& command) const {
   for (const auto& stage : asked_)
     if (stage->concerned())
       if (const Alarm a = stage->check(of_stages, command)) return a;
-  if (one_shot == 370)
+  if (one_shot == kG37)
     if (const Alarm a = check_measurement(words)) return a;
   if (words.writes_origin() && !names_origin(words, list)) return AlarmCause::g10_workpiece;
-  if (one_shot == 100 && !words.writes_origin())
+  if (one_shot == kG10 && !words.writes_origin())
     if (const Alarm a = check_offset_write(words, list, command)) return a;
-  if (one_shot == 300 && words.axes() != 0 && reference_point(words) == 0) return AlarmCause::reference_number;
-  if (one_shot == 290 && is_30i_ && !control_.positions.has_intermediate(words.axes()))
+  if (one_shot == kG30 && words.axes() != 0 && reference_point(words) == 0) return AlarmCause::reference_number;
+  if (one_shot == kG29 && is_30i_ && !control_.positions.has_intermediate(words.axes()))
     return AlarmCause::no_intermediate_point;
   return AlarmCause::none;
 }
@@ -61,14 +61,14 @@ void Interpreter::read_command(const Words& words, Command& command) const {
   command.cycle = cycle_.read(words, modal.normal_axis(plane == kNone ? modal.plane() : plane_of(plane)));
   const bool along_before = control_.positions.along_tool();
   const Code length = words.code(Words::kLength);
-  command.along = words.starts_tip_control() || (along_before && length != 490);
-  command.vector = length == 435 || (modal.by_vector() && length != 434 && length != 490);
-  command.ends_along = along_before && (length == 490 || words.starts_tip_control());
+  command.along = words.starts_tip_control() || (along_before && length != kG49);
+  command.vector = length == kG43_5 || (modal.by_vector() && length != kG43_4 && length != kG49);
+  command.ends_along = along_before && (length == kG49 || words.starts_tip_control());
 }
 
 Alarm Interpreter::check_cycle(const Words& words, Command& command) const {
   const Code one_shot = words.code(Words::kOneShot);
-  if (one_shot >= 280 && one_shot <= 301) return AlarmCause::reference_in_cycle;
+  if (one_shot >= kG28 && one_shot <= kG30_1) return AlarmCause::reference_in_cycle;
   bool before = false;
   bool in_plane = false;
   bool in_space = false;
@@ -89,7 +89,7 @@ Alarm Interpreter::check_cycle(const Words& words, Command& command) const {
 bool Interpreter::lacks_feed(const Words& words) const {
   const ModalState& modal = control_.modal;
   const Code mode = words.code(Words::kFeedMode);
-  const bool per_minute = mode == kNone ? modal.feed_per_minute() : mode == 940;
+  const bool per_minute = mode == kNone ? modal.feed_per_minute() : mode == kG94;
   if (!per_minute) return false;
   if (words.has('F')) return words['F'].digits == 0;
   return !modal.feed_per_minute() || modal.lacks_feed();
@@ -125,7 +125,7 @@ Alarm Interpreter::check_measurement(const Words& words) const {
   if (words.has('H')) return AlarmCause::measurement_number_in_block;
   if (control_.positions.length().number() == 0) return AlarmCause::measurement_without_number;
   const Code distance = words.code(Words::kDistance);
-  const bool add = distance == kNone ? control_.modal.incremental() : distance == 910;
+  const bool add = distance == kNone ? control_.modal.incremental() : distance == kG91;
   if (add || std::popcount(words.axes()) != 1 || (words.axes() & control_.axes.linear) == 0)
     return AlarmCause::measurement_axis;
   if (words.code(Words::kLength) != kNone) return AlarmCause::measurement_format;
@@ -136,7 +136,7 @@ Alarm Interpreter::check_measurement(const Words& words) const {
 
 // The index of the reference position that G28, G30 or G30.1 means; 0 where P of G30 means none.
 std::uint32_t Interpreter::reference_point(const Words& words) const {
-  if (words.code(Words::kOneShot) != 300) return words.code(Words::kOneShot) == 280 ? 1 : 0;
+  if (words.code(Words::kOneShot) != kG30) return words.code(Words::kOneShot) == kG28 ? 1 : 0;
   const std::uint32_t point = words.has('P') ? whole_number(words['P'], 4) : 2;
   return point >= 2 && point <= 4 ? point : 0;
 }

@@ -9,11 +9,11 @@ Alarm Interpreter::check_tip_control(const Words& words, const Command& command)
   const ToolAttitude& attitude = control_.attitude;
   const Code length = words.code(Words::kLength);
   const Code one_shot = words.code(Words::kOneShot);
-  const bool forbidden = (one_shot != kNone && one_shot != 40 && one_shot != 100) || command.cycle.on();
-  const bool in_plane = words.code(Words::kCompensation) == 410 || words.code(Words::kCompensation) == 420;
+  const bool forbidden = (one_shot != kNone && one_shot != kG04 && one_shot != kG10) || command.cycle.on();
+  const bool in_plane = words.code(Words::kCompensation) == kG41 || words.code(Words::kCompensation) == kG42;
   if (command.along && (forbidden || in_plane || words.code(Words::kWorkpiece) != kNone || words.writes_origin()))
     return AlarmCause::forbidden_under_tool_direction;
-  if (control_.positions.along_tool() && (length == 430 || length == 440)) return AlarmCause::length_offset_exclusion;
+  if (control_.positions.along_tool() && (length == kG43 || length == kG44)) return AlarmCause::length_offset_exclusion;
   // The stage in space that is on before the block or after it.
   const Stage* on = nullptr;
   bool after = false;
@@ -36,11 +36,11 @@ Alarm Interpreter::check_tip_move(const Words& words, Code motion, bool vector, 
   const bool ijk = words.has_any(Words::set_of("IJK"));
   if (vector) {
     if ((words.axes() & axes.rotary) != 0) return stage != nullptr ? stage->rotary_word() : AlarmCause::tool_direction;
-    if (words.code(Words::kLength) == 435 && ijk && control_.attitude.machine().has_table())
+    if (words.code(Words::kLength) == kG43_5 && ijk && control_.attitude.machine().has_table())
       return AlarmCause::direction_at_start;
     if (!ToolAttitude::names_direction(words)) return AlarmCause::tool_direction;
   }
-  if (motion <= 10) return AlarmCause::none;
+  if (motion <= kG01) return AlarmCause::none;
   const Code plane = words.code(Words::kPlane);
   Mask in_plane = 0;
   for (const std::size_t axis : control_.modal.axes_of(plane == kNone ? control_.modal.plane() : plane_of(plane)))
@@ -64,7 +64,7 @@ Alarm Interpreter::check_tip_control_start(const Words& words, const Command& co
     if (!machine.invertible()) return AlarmCause::tip_control_parameters;
     if (!machine.ranges_valid()) return AlarmCause::rotary_limits;
   }
-  return in_space || command.motion > 10 ? AlarmCause::tool_direction_format : AlarmCause::none;
+  return in_space || command.motion > kG01 ? AlarmCause::tool_direction_format : AlarmCause::none;
 }
 
 }  // namespace toolcomp::fast

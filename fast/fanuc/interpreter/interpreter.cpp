@@ -78,7 +78,7 @@ void Interpreter::raise(Alarm alarm, const char* more) {
     if (!attitude.plans_tool()) attitude.direct(words);
   }
   if (stage != nullptr) return stage->plain_block(words);
-  if (modal.motion() > 10) [[unlikely]]
+  if (modal.motion() > kG01) [[unlikely]]
     return uncompensated_arc(words);
   return uncompensated(words, true, false, std::nullopt);
 }
@@ -111,7 +111,7 @@ Alarm Interpreter::block_with_commands(const Words& words) {
 
 bool Interpreter::wakes_stages(const Words& words) const {
   const Code one_shot = words.code(Words::kOneShot);
-  const bool measures = one_shot == 370;
+  const bool measures = one_shot == kG37;
   return words.code(Words::kCompensation) != kNone || control_.cutter_value.commanded(words) ||
          (one_shot != kNone && !words.is_tool_offset() && !measures) || control_.cutter_value.takes_edited();
 }
@@ -194,9 +194,9 @@ void Interpreter::take_codes(const Words& words, const Command& command) {
   ModalState& modal = control_.modal;
   modal.set_motion(command.motion);
   if (const Code code = words.code(Words::kPlane); code != kNone) modal.select_plane(plane_of(code));
-  if (const Code code = words.code(Words::kDistance); code != kNone) modal.set_incremental(code == 910);
+  if (const Code code = words.code(Words::kDistance); code != kNone) modal.set_incremental(code == kG91);
   if (const Code code = words.code(Words::kUnits); code != kNone) control_.units.select(code);
-  if (const Code code = words.code(Words::kFeedMode); code != kNone) modal.set_feed_mode(code == 940);
+  if (const Code code = words.code(Words::kFeedMode); code != kNone) modal.set_feed_mode(code == kG94);
   if (words.has('F')) set_feed(words);
   cycle_.take(words, command.cycle, control_.units, modal.incremental());
   if (command.ends_along) {
@@ -213,7 +213,7 @@ void Interpreter::take_codes(const Words& words, const Command& command) {
 }
 
 Alarm Interpreter::take_arc(const Words& words, BlockArc& arc) const {
-  if (control_.modal.motion() <= 10 || cycle_.on()) return AlarmCause::none;
+  if (control_.modal.motion() <= kG01 || cycle_.on()) return AlarmCause::none;
   const bool made = std::ranges::any_of(asked_, [&](const auto& stage) { return stage->makes_arc(words); });
   const bool judged = std::ranges::any_of(asked_, [](const auto& stage) { return stage->judges_arc_about_start(); });
   return control_.plan_arc(words, arc, !made, judged);
@@ -268,16 +268,16 @@ bool Interpreter::shift_system() {
 Alarm Interpreter::move(const Words& words, const Command& command, Stage* stage, const OwnMove& own) {
   if (command.cycle.drills) return drill(words, command.cycle, stage, own.extra);
   if (words.axes() != 0) switch (own.one_shot) {
-      case 280:
-      case 300:
-      case 301:
+      case kG28:
+      case kG30:
+      case kG30_1:
         return to_reference(words, stage);
-      case 290:
+      case kG29:
         return from_reference(words, stage);
-      case 530:
+      case kG53:
         if (!control_.modal.incremental()) return to_machine_position(words, stage);
         break;
-      case 370:
+      case kG37:
         return measure(words, stage);
       default:
         break;

@@ -48,8 +48,8 @@ class Interpreter final : public BlockTaker {
   // Whether a block outside the drilling mode moves by G01, G02 or G03 with words of its own; `motion`: the code of
   // group 01 then.
   [[nodiscard]] static bool cuts(const Words& words, Code motion) {
-    if (motion == 0 || (words.code(Words::kOneShot) != kNone && !words.is_tool_offset())) return false;
-    return words.axes() != 0 || (motion > 10 && words.has_any(Words::set_of("IJKR")));
+    if (motion == kG00 || (words.code(Words::kOneShot) != kNone && !words.is_tool_offset())) return false;
+    return words.axes() != 0 || (motion > kG01 && words.has_any(Words::set_of("IJKR")));
   }
   // The F in force after a block with codes is none, or 0.
   [[nodiscard]] bool lacks_feed(const Words& words) const;

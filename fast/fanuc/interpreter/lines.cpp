@@ -12,7 +12,7 @@ namespace toolcomp::fast {
 bool Interpreter::may_be_lines() const {
   const AxisPositions& positions = control_.positions;
   return !control_.stopped && !cycle_.on() && (on_ == nullptr || !on_->on()) && !positions.along_tool() &&
-         !positions.length().pending() && control_.modal.motion() <= (control_.modal.lacks_feed() ? 0 : 10) &&
+         !positions.length().pending() && control_.modal.motion() <= (control_.modal.lacks_feed() ? kG00 : kG01) &&
          control_.units.plain() && !control_.modal.incremental() && !control_.attitude.completes_moves() &&
          positions.stale() == 0 && positions.rounded() == 0 && positions.tool_offset().live() == 0 &&
          !fault(Fault::shift_lost);

@@ -10,7 +10,7 @@ constexpr std::uint32_t kDirectionLetters = Words::set_of("IJK");
 constexpr std::uint32_t kAuxiliaryLetters = Words::set_of("MST");
 
 // A code of another compensation of the same group.
-bool is_other(Code code) { return code != kNone && code != 400 && code != 413; }
+bool is_other(Code code) { return code != kNone && code != kG40 && code != kG41_3; }
 
 }  // namespace
 
@@ -23,19 +23,19 @@ void LeadingEdgeStage::read(const Words& words, const Command& /*command*/) {
   const Code code = words.code(Words::kCompensation);
   const bool active = offset_.active();
   d_read_ = words.has('D') ? whole_number(words['D'], control_.memory.count()) : d_;
-  const bool after = (code == kNone || (active && is_other(code)) ? active : code == 413) && d_read_ != 0;
-  set_read(active || code == 413, active, after);
+  const bool after = (code == kNone || (active && is_other(code)) ? active : code == kG41_3) && d_read_ != 0;
+  set_read(active || code == kG41_3, active, after);
 }
 
 // The alarms that words and state alone show (clause fanuc.program.alarm-order).
 Alarm LeadingEdgeStage::check(const Words& words, const Command& command) const {
-  const bool code = words.code(Words::kCompensation) == 413;
+  const bool code = words.code(Words::kCompensation) == kG41_3;
   const bool moves = words.axes() != 0 || (command.vector && words.has_any(kDirectionLetters));
   // The format of a G41.3 block counts where it starts nothing too: with D0, or in the mode.
   if (code && (moves || words.suppresses_look_ahead())) return AlarmCause::leading_edge_format;
   if (on_before() && !on_after() && moves) return AlarmCause::leading_edge_format;
-  if (code && command.motion > 10) return AlarmCause::leading_edge_start;
-  if (on_before() && (code || command.motion > 10)) return AlarmCause::leading_edge_command;
+  if (code && command.motion > kG01) return AlarmCause::leading_edge_start;
+  if (on_before() && (code || command.motion > kG01)) return AlarmCause::leading_edge_command;
   if (!on_after()) return AlarmCause::none;
   if (is_other(words.code(Words::kCompensation))) return AlarmCause::forbidden_in_compensation;
   if (words.code(Words::kOneShot) != kNone || words.code(Words::kWorkpiece) != kNone ||
@@ -83,7 +83,7 @@ Alarm LeadingEdgeStage::cancel() {
 
 Alarm LeadingEdgeStage::plain_block(const Words& words) {
   if (!words.any()) return AlarmCause::none;
-  if (control_.modal.motion() > 10) return AlarmCause::leading_edge_command;
+  if (control_.modal.motion() > kG01) return AlarmCause::leading_edge_command;
   return follow(words, true, false);
 }
 

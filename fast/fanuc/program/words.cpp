@@ -10,21 +10,21 @@ namespace {
 
 bool is_one_shot(std::uint64_t tenths) {
   switch (tenths) {
-    case 40:
-    case 100:
-    case 280:
-    case 290:
-    case 300:
-    case 301:
-    case 370:
-    case 390:
-    case 450:
-    case 460:
-    case 470:
-    case 480:
-    case 520:
-    case 530:
-    case 920:
+    case kG04:
+    case kG10:
+    case kG28:
+    case kG29:
+    case kG30:
+    case kG30_1:
+    case kG37:
+    case kG39:
+    case kG45:
+    case kG46:
+    case kG47:
+    case kG48:
+    case kG52:
+    case kG53:
+    case kG92:
       return true;
     default:
       return false;
@@ -33,14 +33,15 @@ bool is_one_shot(std::uint64_t tenths) {
 
 // G80 ends the others.
 bool is_cycle(std::uint64_t tenths) {
-  const bool drills_or_taps = tenths == 730 || tenths == 740 || tenths == 760;
-  return drills_or_taps || (tenths >= 800 && tenths <= 890 && tenths % 10 == 0);
+  const bool drills_or_taps = tenths == kG73 || tenths == kG74 || tenths == kG76;
+  return drills_or_taps || (tenths >= kG80 && tenths <= kG89 && tenths % 10 == 0);
 }
 
 // Codes that change no path of what is built: cancels of what is not, and how fast and exactly a path is run.
 bool is_without_effect(std::uint64_t tenths) {
-  constexpr std::array<std::uint16_t, 26> kCodes{50,  51,  80,  90,  110, 131, 150, 220, 230, 250, 401,  500,  501,
-                                                 502, 610, 611, 620, 630, 640, 670, 690, 960, 970, 1130, 1500, 1600};
+  constexpr std::array<std::uint16_t, 26> kCodes{kG05, kG05_1, kG08, kG09,   kG11,   kG13_1, kG15,   kG22, kG23,
+                                                 kG25, kG40_1, kG50, kG50_1, kG50_2, kG61,   kG61_1, kG62, kG63,
+                                                 kG64, kG67,   kG69, kG96,   kG97,   kG113,  kG150,  kG160};
   return std::ranges::binary_search(kCodes, tenths);
 }
 
@@ -49,7 +50,7 @@ constexpr std::uint32_t kMostM = 99'999'999;
 
 // Codes to which the axis letters of their block belong.
 bool takes_letters(std::uint64_t tenths) {
-  return tenths == 40 || tenths == 100 || tenths == 50 || tenths == 51 || tenths == 220 || tenths == 501;
+  return tenths == kG04 || tenths == kG10 || tenths == kG05 || tenths == kG05_1 || tenths == kG22 || tenths == kG50_1;
 }
 
 constexpr std::uint64_t kNoCode = ~std::uint64_t{0};
@@ -68,50 +69,50 @@ std::uint64_t tenths_of(const spec::Decimal& value) {
 // The group of a code of it, in tenths; kGroups for any other.
 std::size_t group_of(std::uint64_t tenths) {
   switch (tenths) {
-    case 0:
-    case 10:
-    case 20:
-    case 30:
+    case kG00:
+    case kG01:
+    case kG02:
+    case kG03:
       return Words::kMotion;
-    case 170:
-    case 180:
-    case 190:
+    case kG17:
+    case kG18:
+    case kG19:
       return Words::kPlane;
-    case 200:
-    case 210:
+    case kG20:
+    case kG21:
       return Words::kUnits;
-    case 400:
-    case 410:
-    case 412:
-    case 413:
-    case 416:
-    case 420:
-    case 422:
-    case 426:
+    case kG40:
+    case kG41:
+    case kG41_2:
+    case kG41_3:
+    case kG41_6:
+    case kG42:
+    case kG42_2:
+    case kG42_6:
       return Words::kCompensation;
-    case 430:
-    case 434:
-    case 435:
-    case 440:
-    case 490:
+    case kG43:
+    case kG43_4:
+    case kG43_5:
+    case kG44:
+    case kG49:
       return Words::kLength;
-    case 540:
-    case 550:
-    case 560:
-    case 570:
-    case 541:
-    case 580:
-    case 590:
+    case kG54:
+    case kG55:
+    case kG56:
+    case kG57:
+    case kG54_1:
+    case kG58:
+    case kG59:
       return Words::kWorkpiece;
-    case 900:
-    case 910:
+    case kG90:
+    case kG91:
       return Words::kDistance;
-    case 930:
-    case 940:
-    case 950:
+    case kG93:
+    case kG94:
+    case kG95:
       return Words::kFeedMode;
-    case 980:
-    case 990:
+    case kG98:
+    case kG99:
       return Words::kReturn;
     default:
       if (is_cycle(tenths)) return Words::kCycle;
@@ -149,8 +150,8 @@ void Words::set_code(std::uint64_t tenths) {
     return;
   }
   data_letters_ = data_letters_ || takes_letters(tenths);
-  high_speed_ = high_speed_ || tenths == 50;
-  spindle_ = spindle_ || tenths == 960 || tenths == 970 || tenths == 1600;
+  high_speed_ = high_speed_ || tenths == kG05;
+  spindle_ = spindle_ || tenths == kG96 || tenths == kG97 || tenths == kG160;
   if (is_without_effect(tenths)) return;
   if (group == kOneShot) {
     code_[kOneShot] = static_cast<Code>(tenths);
@@ -176,7 +177,7 @@ bool repeats(const spec::Block& block) {
 }
 
 bool Words::writes_origin() const {
-  if (code_[kOneShot] != 100 || !has('L')) return false;
+  if (code_[kOneShot] != kG10 || !has('L')) return false;
   const std::uint32_t list = whole_number((*this)['L'], 20);
   return list == 2 || list == 20;
 }
@@ -187,8 +188,8 @@ bool Words::refused_in_space() const {
 
 std::size_t Words::workpiece() const {
   const Code code = code_[kWorkpiece];
-  const bool additional = code == 541 || (code == 540 && has('P') && !takes_p());
-  if (!additional) return static_cast<std::size_t>((code - 540) / 10);
+  const bool additional = code == kG54_1 || (code == kG54 && has('P') && !takes_p());
+  if (!additional) return static_cast<std::size_t>((code - kG54) / 10);
   const std::uint32_t number = has('P') ? whole_number((*this)['P'], spec::kAdditionalWorkpieces) : 1;
   return number == 0 || number > spec::kAdditionalWorkpieces ? kNoSystem : std::size_t{5} + number;
 }

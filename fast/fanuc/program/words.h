@@ -11,12 +11,14 @@
 
 #include "spec/language/axes.h"
 #include "spec/language/fanuc/block.h"
+#include "spec/language/fanuc/g_codes.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::fast {
 
 // G codes in tenths: G43.5 is 435. 0 (which is G00) is told from none by kNone.
 using Code = std::int16_t;
+using enum spec::GCode;
 inline constexpr Code kNone = -1;
 
 // The letters of the axes of a setup.
@@ -89,7 +91,7 @@ class Words {
   // G05 but for P10000, G96, G97, G160.
   [[nodiscard]] bool refused_in_space() const;
   // G52, G92.
-  [[nodiscard]] bool shifts_coordinates() const { return code_[kOneShot] == 520 || code_[kOneShot] == 920; }
+  [[nodiscard]] bool shifts_coordinates() const { return code_[kOneShot] == kG52 || code_[kOneShot] == kG92; }
   // The workpiece system that G54 to G59, G54.1 P or G54 P selects: 0 to 5, from 6 on; kNoSystem where P names none.
   // Only where there is such a code.
   static constexpr std::size_t kNoSystem = ~std::size_t{0};
@@ -121,9 +123,9 @@ class Words {
   [[nodiscard]] std::uint16_t data_axes() const { return data_axes_; }
   [[nodiscard]] const spec::Decimal& axis(std::size_t index) const { return *value_[axis_letters_.index[index]]; }
   // G45 to G48.
-  [[nodiscard]] bool is_tool_offset() const { return code_[kOneShot] >= 450 && code_[kOneShot] <= 480; }
+  [[nodiscard]] bool is_tool_offset() const { return code_[kOneShot] >= kG45 && code_[kOneShot] <= kG48; }
   // G43.4, G43.5.
-  [[nodiscard]] bool starts_tip_control() const { return code_[kLength] == 434 || code_[kLength] == 435; }
+  [[nodiscard]] bool starts_tip_control() const { return code_[kLength] == kG43_4 || code_[kLength] == kG43_5; }
   // A word other than N and O.
   [[nodiscard]] bool any() const { return any_; }
   // M00 M01 M02 M30, or an M code of parameters, which keep the control from reading ahead.
@@ -146,8 +148,8 @@ class Words {
   void m_word(const spec::Decimal& value);
   // P belongs to a code or an M98 or M99 of the block.
   [[nodiscard]] bool takes_p() const {
-    const bool drills = code_[kCycle] != kNone && code_[kCycle] != 800;
-    return data_letters_ || calls_ || code_[kOneShot] == 300 || starts_tip_control() || drills;
+    const bool drills = code_[kCycle] != kNone && code_[kCycle] != kG80;
+    return data_letters_ || calls_ || code_[kOneShot] == kG30 || starts_tip_control() || drills;
   }
 
   const AxisLetters& axis_letters_;

@@ -11,7 +11,7 @@ namespace {
 
 bool holds_cutter_code(const Words& words) {
   const Code code = words.code(Words::kCompensation);
-  return code == 400 || code == 410 || code == 420;
+  return code == kG40 || code == kG41 || code == kG42;
 }
 
 }  // namespace
@@ -33,14 +33,14 @@ ToolLengthOffset::ToolLengthOffset(const spec::Setup& setup)
 
 ToolLengthOffset::Mode ToolLengthOffset::mode_after(Code code) const {
   switch (code) {
-    case 430:
+    case kG43:
       return Mode::plus;
-    case 440:
+    case kG44:
       return fault(Fault::g44_as_g43) ? Mode::plus : Mode::minus;
-    case 434:
-    case 435:
+    case kG43_4:
+    case kG43_5:
       return Mode::along_tool;
-    case 490:
+    case kG49:
       return Mode::off;
     default:
       return mode_;
@@ -115,23 +115,23 @@ Alarm ToolLengthOffset::apply(const Words& words, const OffsetMemory& memory, st
   const bool has_h = words.has('H');
   if (code == kNone && !has_h) [[likely]]
     return AlarmCause::none;
-  if (code == 490)
+  if (code == kG49)
     if (const Alarm a = end_mode()) return a;
 
   // Which number holds: an H word of any block, or with OFH = 1 of a block with G43, G44 (or G43.4, G43.5) only; there
   // a first G43 without H means H0. So may a G49 without H.
-  const bool sets = code == 430 || code == 440 || words.starts_tip_control();
+  const bool sets = code == kG43 || code == kG44 || words.starts_tip_control();
   const bool ofh = ofh_ && !fault(Fault::h_modal_under_ofh);
   std::uint32_t number = number_;
   bool takes = false;
   if (has_h && (!ofh || sets)) {
     number = whole_number(words['H'], memory.count());
     takes = true;
-  } else if ((ofh && sets && mode_ == Mode::off) || (code == 490 && !has_h && g49_sets_h0_)) {
+  } else if ((ofh && sets && mode_ == Mode::off) || (code == kG49 && !has_h && g49_sets_h0_)) {
     number = 0;
   }
   const Mode mode = mode_after(code);
-  if (code == 490 || mode == Mode::off || (!takes && !sets)) {
+  if (code == kG49 || mode == Mode::off || (!takes && !sets)) {
     number_ = number;
     mode_ = mode;
     return AlarmCause::none;

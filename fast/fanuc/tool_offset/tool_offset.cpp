@@ -19,11 +19,11 @@ void ToolOffset::clear(std::size_t axis) {
 
 Count ToolOffset::increase(Code code, const Count& value) {
   switch (code) {
-    case 450:
+    case kG45:
       return value;
-    case 460:
+    case kG46:
       return fault(Fault::g46_as_g45) ? value : -value;
-    case 470:
+    case kG47:
       return fault(Fault::g47_once) ? value : value + value;
     default:
       return -(value + value);

@@ -19,7 +19,7 @@ void rename_corner(Event& move, const Event& place) {
 }  // namespace
 
 ToolSideCompensation::ToolSideCompensation(const spec::Setup& setup, const Kinematics& kinematics, EventSink& sink)
-    : CornerStage(sink, 2 * SideParameters(setup).still_limit + 1, SideParameters(setup).still_limit + 2),
+    : CornerQueue(sink, 2 * SideParameters(setup).still_limit + 1, SideParameters(setup).still_limit + 2),
       parameters_(setup),
       geometry_(kinematics),
       make_(geometry_, parameters_),
@@ -255,7 +255,7 @@ Alarm ToolSideCompensation::settle() {
   treatment_ = next().treatment;
   next_of_path_ = {};
   if (to.arc) next().mismatches = mismatches(next());
-  CornerStage::hold_path(to, starts_up);
+  CornerQueue::hold_path(to, starts_up);
 }
 
 void ToolSideCompensation::keep_without_direction() {

@@ -11,7 +11,7 @@
 #include "fast/basis/alarm.h"
 #include "fast/basis/event.h"
 #include "fast/fanuc/control/event_in_space.h"
-#include "fast/fanuc/corner/corner_stage.h"
+#include "fast/fanuc/corner/corner_queue.h"
 #include "fast/fanuc/corner/usual_paths.h"
 #include "fast/fanuc/tool_side_compensation/side_group.h"
 #include "fast/fanuc/tool_side_compensation/side_interference.h"
@@ -34,7 +34,7 @@ struct LineCorner {
 // Look-ahead: a block that moves at its own end, one block after it that does not move in the plane there, and the next
 // one. The one in between may move at its own end: it then waits, as a path of its own, until the one before it is out.
 // Before the path, where the corner at its start has several vectors, one block that keeps the last of them.
-class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBlock, SidePath, SideGroup>,
+class ToolSideCompensation : public CornerQueue<ToolSideCompensation, ToolSideBlock, SidePath, SideGroup>,
                              public UsualPathLender {
  public:
   // Throws spec::InputError for parameters no control could have.
@@ -106,7 +106,7 @@ class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBl
 
  private:
   // What the machine asks for.
-  friend CornerStage;
+  friend CornerQueue;
   static constexpr bool kUpToStop = true;
   static bool is_arc(const ToolSideBlock& block) { return block.arc; }
   static bool repeats(const ToolSideBlock& block) { return block.repeated; }

@@ -13,18 +13,18 @@ CutterSide side_of(Code code) {
   switch (code) {
     case kNone:
       return CutterSide::unchanged;
-    case 412:
-    case 416:
+    case kG41_2:
+    case kG41_6:
       return CutterSide::left;
-    case 422:
-    case 426:
+    case kG42_2:
+    case kG42_6:
       return CutterSide::right;
     default:
       return CutterSide::off;  // of the same group
   }
 }
 
-bool is_own(Code code) { return code == 412 || code == 416 || code == 422 || code == 426; }
+bool is_own(Code code) { return code == kG41_2 || code == kG41_6 || code == kG42_2 || code == kG42_6; }
 
 }  // namespace
 
@@ -42,7 +42,7 @@ void ToolSideStage::read(const Words& words, const Command& /*command*/) {
 }
 
 bool ToolSideStage::names_arc(const Words& words, Code motion, spec::Plane plane) const {
-  if (motion <= 10) return false;
+  if (motion <= kG01) return false;
   Mask in_plane = 0;
   for (const std::size_t axis : control_.modal.axes_of(plane))
     if (axis != spec::Axes::kNone) in_plane = static_cast<Mask>(in_plane | bit(axis));
@@ -56,7 +56,7 @@ Alarm ToolSideStage::check(const Words& words, const Command& command) const {
   const spec::Plane selected = plane == kNone ? control_.modal.plane() : plane_of(plane);
   const bool before = on_before();
   const bool after = on_after();
-  if (is_own(code) && (code == 412 || code == 422) == command.vector) return AlarmCause::side_mode;
+  if (is_own(code) && (code == kG41_2 || code == kG42_2) == command.vector) return AlarmCause::side_mode;
   if (before && selected != control_.modal.plane()) return AlarmCause::plane_change;
 
   const bool moves = words.axes() != 0 || (command.vector && words.has_any(kDirectionLetters));
@@ -65,13 +65,13 @@ Alarm ToolSideStage::check(const Words& words, const Command& command) const {
                 words.refused_in_space() || ((moves || arc) && words.has_any(kAuxiliaryLetters))))
     return AlarmCause::forbidden_in_compensation;
   if ((before || after) && words.code(Words::kOneShot) != kNone) return AlarmCause::forbidden_in_compensation;
-  if (before && (code == 410 || code == 420 || code == 413)) return AlarmCause::forbidden_in_compensation;
+  if (before && (code == kG41 || code == kG42 || code == kG41_3)) return AlarmCause::forbidden_in_compensation;
   if (after && words.has('Q') && (whole_number(words['Q'], 3) > 3 || words['Q'].is_zero()))
     return AlarmCause::treatment;
 
   if (compensation_.type() == StartType::c) {
     const bool starts = after && !before;
-    if ((starts || (before && !after)) && (moves || command.motion > 10 || (starts && words.suppresses_look_ahead())))
+    if ((starts || (before && !after)) && (moves || command.motion > kG01 || (starts && words.suppresses_look_ahead())))
       return AlarmCause::type_c_format;
   } else if (arc && after != compensation_.active()) {
     return AlarmCause::arc_at_start_or_cancel;
@@ -118,7 +118,7 @@ Alarm ToolSideStage::plain_block(const Words& words) {
   static const BlockArc kLine;
   if (!control_.positions.along_tool() || !words.any()) control_.attitude.directions().begin_block();
   compensation_.next().repeated = false;
-  if (control_.modal.motion() <= 10) [[likely]]
+  if (control_.modal.motion() <= kG01) [[likely]]
     return pass(words, false, kLine);
   if (compensation_.type() == StartType::c) {
     if (!wanted_) return AlarmCause::type_c_format;

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "fuzz/gen/fanuc/tool_turns.h"
-#include "fuzz/oracle/number.h"
-#include "fuzz/oracle/policy.h"
+#include "judge/oracle/number.h"
+#include "judge/oracle/policy.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -25,18 +25,18 @@ double clamped(double x) { return std::clamp(x, -1.0, 1.0); }
 }  // namespace
 
 RotaryAim::RotaryAim(Choices& choose, ProgramWriter& write, const spec::Setup& setup, bool posture)
-    : choose_(choose), write_(write), setup_(setup), posture_(posture), machine_(RotaryMachine::of(setup)) {
+    : choose_(choose), write_(write), setup_(setup), posture_(posture), machine_(judge::RotaryMachine::of(setup)) {
   if (!machine_) return;
   if (setup.rotary_angles == spec::RotaryAngles::machine) {
     const auto zero = [&](std::size_t axis) {
       if (axis == spec::Axes::kNone) return 0.0;
       const auto found = setup.workpiece.front().find(setup.axes.letter(axis));
-      return found == setup.workpiece.front().end() ? 0.0 : approximate(found->second);
+      return found == setup.workpiece.front().end() ? 0.0 : judge::approximate(found->second);
     };
     machine_->tool_angle += zero(machine_->tool);
     machine_->work_angle += zero(machine_->work);
   }
-  const RotaryMachine& m = *machine_;
+  const judge::RotaryMachine& m = *machine_;
   // cos(polar) = mean + a cos(turn) + b sin(turn).
   const double along = dot(m.reference, m.tool_line);
   Direction across{};
@@ -72,16 +72,18 @@ double RotaryAim::parameter(std::uint32_t number) const {
 
 Direction RotaryAim::to_frame(const Direction& table_direction) const {
   if (!machine_ || head()) return table_direction;
-  const RotaryMachine& m = *machine_;
+  const judge::RotaryMachine& m = *machine_;
   Direction v = turned(table_direction, m.work_line, -m.work_sense * (frozen_work_ + m.work_angle));
-  if (m.type == RotaryMachine::Type::table) v = turned(v, m.tool_line, -m.tool_sense * (frozen_tool_ + m.tool_angle));
+  if (m.type == judge::RotaryMachine::Type::table)
+    v = turned(v, m.tool_line, -m.tool_sense * (frozen_tool_ + m.tool_angle));
   return v;
 }
 Direction RotaryAim::to_table(const Direction& frame_direction) const {
   if (!machine_ || head()) return frame_direction;
-  const RotaryMachine& m = *machine_;
+  const judge::RotaryMachine& m = *machine_;
   Direction v = frame_direction;
-  if (m.type == RotaryMachine::Type::table) v = turned(v, m.tool_line, m.tool_sense * (frozen_tool_ + m.tool_angle));
+  if (m.type == judge::RotaryMachine::Type::table)
+    v = turned(v, m.tool_line, m.tool_sense * (frozen_tool_ + m.tool_angle));
   return turned(v, m.work_line, m.work_sense * (frozen_work_ + m.work_angle));
 }
 
@@ -314,7 +316,7 @@ void RotaryAim::turn_by_words() {
       SpaceCounts d = rational();
       for (int tries = 0; tries < 6; ++tries) {
         const double polar = polar_of(to_table(as_direction(d))).polar;
-        if (polar >= least_ - policy::kSlack && polar <= most_ + policy::kSlack) break;
+        if (polar >= least_ - judge::policy::kSlack && polar <= most_ + judge::policy::kSlack) break;
         d = rational();
       }
       return write_words(d);

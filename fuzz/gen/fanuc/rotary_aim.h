@@ -6,7 +6,7 @@
 
 #include "fuzz/gen/fanuc/program_writer.h"
 #include "fuzz/gen/fanuc/tool_pose.h"
-#include "fuzz/oracle/rotary.h"
+#include "judge/oracle/rotary.h"
 
 namespace toolcomp::fuzz {
 
@@ -22,7 +22,7 @@ class RotaryAim {
   [[nodiscard]] bool by_words() const { return by_words_; }
   [[nodiscard]] bool rotary() const { return machine_.has_value(); }
   // A head: I J K may stand in the block of G43.5.
-  [[nodiscard]] bool head() const { return machine_ && machine_->type == RotaryMachine::Type::head; }
+  [[nodiscard]] bool head() const { return machine_ && machine_->type == judge::RotaryMachine::Type::head; }
   // Both axes can be moved.
   [[nodiscard]] bool complete() const;
   // Directions and movements are in the programming coordinate system.
@@ -61,7 +61,7 @@ class RotaryAim {
   ProgramWriter& write_;
   const spec::Setup& setup_;
   bool posture_;
-  std::optional<RotaryMachine> machine_;
+  std::optional<judge::RotaryMachine> machine_;
   bool by_words_ = false;
   std::int64_t foot_ = 0;  // counts: the tool-side position nearest to the work-side axis; half a turn on the farthest
   double least_ = 0;       // angles from the work-side axis that can be reached

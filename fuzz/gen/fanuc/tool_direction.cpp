@@ -2,7 +2,7 @@
 #include "fuzz/gen/fanuc/tool_direction.h"
 
 #include <cmath>
-#include "fuzz/oracle/number.h"
+#include "judge/oracle/number.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -11,7 +11,7 @@ constexpr double kRadiansPerDegree = 0.017453292519943295;
 
 double number(const spec::Setup& setup, std::uint32_t parameter, double otherwise = 0) {
   const auto value = setup.parameter(parameter);
-  return value ? approximate(*value) : otherwise;
+  return value ? judge::approximate(*value) : otherwise;
 }
 
 Direction axis(int code) {
@@ -30,7 +30,7 @@ double position(const spec::Setup& setup, const Pose& pose, double axis_number) 
   const spec::AxisTable& zeros = setup.workpiece.front();
   const auto zero = zeros.find(letter);
   const bool moved = zero != zeros.end() && setup.rotary_angles == spec::RotaryAngles::machine;
-  return moved ? programmed + approximate(zero->second) : programmed;
+  return moved ? programmed + judge::approximate(zero->second) : programmed;
 }
 
 // Codes 4, 5, 6: tilted from X to Y, Y to Z, Z to X by an angle.

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <iterator>
 #include <string_view>
-#include "fuzz/oracle/number.h"
+#include "judge/oracle/number.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -93,14 +93,14 @@ KlartextProgram::Radii KlartextProgram::radii() const {
   radii.off_r2 = call_r2_;
   if (tool_ < setup_.tools.size()) {
     const spec::ToolRow& tool = setup_.tools[tool_];
-    radii.r = approximate(tool.r);
-    radii.r2 = approximate(tool.r2);
-    radii.off_r += approximate(tool.dr);
-    if (!deviates()) radii.off_r2 += approximate(tool.dr2);
+    radii.r = judge::approximate(tool.r);
+    radii.r2 = judge::approximate(tool.r2);
+    radii.off_r += judge::approximate(tool.dr);
+    if (!deviates()) radii.off_r2 += judge::approximate(tool.dr2);
   }
   if (const auto row = setup_.tcs.find(row_); row != setup_.tcs.end()) {
-    radii.off_r += approximate(row->second.dr);
-    radii.off_r2 += approximate(row->second.dr2);
+    radii.off_r += judge::approximate(row->second.dr);
+    radii.off_r2 += judge::approximate(row->second.dr2);
   }
   return radii;
 }

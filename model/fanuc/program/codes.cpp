@@ -5,6 +5,7 @@
 
 #include "model/basis/alarm.h"
 #include "model/fanuc/program/offset_memory.h"
+#include "spec/language/fanuc/g_codes.h"
 
 namespace toolcomp::model {
 namespace {
@@ -33,154 +34,155 @@ class Reader {
 
   // False if there is no such code.
   bool read(std::uint64_t code) {
+    using enum spec::GCode;
     switch (code) {
-      case 0:
+      case kG00:
         return group(codes_.motion, Motion::rapid);
-      case 10:
+      case kG01:
         return group(codes_.motion, Motion::linear);
-      case 20:
+      case kG02:
         return group(codes_.motion, Motion::arc_cw);
-      case 30:
+      case kG03:
         return group(codes_.motion, Motion::arc_ccw);
-      case 40:
+      case kG04:
         codes_.letters_are_data = true;
         return one_shot(OneShot::dwell);
-      case 50:
+      case kG05:
         codes_.refused_in_space = codes_.refused_in_space || !high_speed_;
         [[fallthrough]];
-      case 51:
-      case 220:
-      case 501:
+      case kG05_1:
+      case kG22:
+      case kG50_1:
         codes_.letters_are_data = true;
         return without_effect();
-      case 80:
-      case 90:
-      case 110:
-      case 131:
-      case 150:
-      case 230:
-      case 250:
-      case 401:
-      case 500:
-      case 502:
-      case 610:
-      case 611:
-      case 620:
-      case 630:
-      case 640:
-      case 670:
-      case 690:
-      case 1130:
-      case 1500:
+      case kG08:
+      case kG09:
+      case kG11:
+      case kG13_1:
+      case kG15:
+      case kG23:
+      case kG25:
+      case kG40_1:
+      case kG50:
+      case kG50_2:
+      case kG61:
+      case kG61_1:
+      case kG62:
+      case kG63:
+      case kG64:
+      case kG67:
+      case kG69:
+      case kG113:
+      case kG150:
         return without_effect();
-      case 960:
-      case 970:
-      case 1600:
+      case kG96:
+      case kG97:
+      case kG160:
         codes_.refused_in_space = true;
         return without_effect();
-      case 100:
+      case kG10:
         codes_.letters_are_data = true;
         return one_shot(OneShot::data);
-      case 170:
+      case kG17:
         return group(codes_.plane, spec::Plane::xy);
-      case 180:
+      case kG18:
         return group(codes_.plane, spec::Plane::zx);
-      case 190:
+      case kG19:
         return group(codes_.plane, spec::Plane::yz);
-      case 200:
+      case kG20:
         return group(codes_.units, spec::Units::inch);
-      case 210:
+      case kG21:
         return group(codes_.units, spec::Units::mm);
-      case 280:
+      case kG28:
         return one_shot(OneShot::reference);
-      case 290:
+      case kG29:
         return one_shot(OneShot::from_reference);
-      case 300:
+      case kG30:
         return one_shot(OneShot::other_reference);
-      case 301:
+      case kG30_1:
         return one_shot(OneShot::floating_reference);
-      case 370:
+      case kG37:
         return one_shot(OneShot::measure);
-      case 390:
+      case kG39:
         return one_shot(OneShot::corner_arc);
-      case 400:
+      case kG40:
         return group(codes_.compensation, Compensation::cancel);
-      case 410:
+      case kG41:
         return group(codes_.compensation, Compensation::left);
-      case 412:
+      case kG41_2:
         return group(codes_.compensation, Compensation::tool_side_left);
-      case 413:
+      case kG41_3:
         return group(codes_.compensation, Compensation::leading_edge);
-      case 416:
+      case kG41_6:
         return group(codes_.compensation, Compensation::directed_tool_side_left);
-      case 420:
+      case kG42:
         return group(codes_.compensation, Compensation::right);
-      case 422:
+      case kG42_2:
         return group(codes_.compensation, Compensation::tool_side_right);
-      case 426:
+      case kG42_6:
         return group(codes_.compensation, Compensation::directed_tool_side_right);
-      case 430:
+      case kG43:
         return group(codes_.length, LengthCode::plus);
-      case 434:
+      case kG43_4:
         return group(codes_.length, LengthCode::tip_control);
-      case 435:
+      case kG43_5:
         return group(codes_.length, LengthCode::tool_direction);
-      case 440:
+      case kG44:
         return group(codes_.length, LengthCode::minus);
-      case 450:
+      case kG45:
         return one_shot(OneShot::increase);
-      case 460:
+      case kG46:
         return one_shot(OneShot::decrease);
-      case 470:
+      case kG47:
         return one_shot(OneShot::double_increase);
-      case 480:
+      case kG48:
         return one_shot(OneShot::double_decrease);
-      case 490:
+      case kG49:
         return group(codes_.length, LengthCode::cancel);
-      case 520:
+      case kG52:
         return one_shot(OneShot::local_coordinates);
-      case 530:
+      case kG53:
         return one_shot(OneShot::machine_coordinates);
-      case 540:
-      case 550:
-      case 560:
-      case 570:
-      case 580:
-      case 590:
-        return group(codes_.workpiece, static_cast<std::size_t>((code - 540) / 10));
-      case 541:
+      case kG54:
+      case kG55:
+      case kG56:
+      case kG57:
+      case kG58:
+      case kG59:
+        return group(codes_.workpiece, static_cast<std::size_t>((code - kG54) / 10));
+      case kG54_1:
         return group(codes_.workpiece, kAdditional);
-      case 730:
-      case 830:
+      case kG73:
+      case kG83:
         return group(codes_.cycle, Cycle::pecking);
-      case 740:
-      case 760:
-      case 810:
-      case 820:
-      case 840:
-      case 850:
-      case 860:
-      case 880:
-      case 890:
+      case kG74:
+      case kG76:
+      case kG81:
+      case kG82:
+      case kG84:
+      case kG85:
+      case kG86:
+      case kG88:
+      case kG89:
         return group(codes_.cycle, Cycle::other);
-      case 800:
+      case kG80:
         return group(codes_.cycle, Cycle::cancel);
-      case 870:
+      case kG87:
         return group(codes_.cycle, Cycle::back_boring);
-      case 900:
+      case kG90:
         return group(codes_.incremental, false);
-      case 910:
+      case kG91:
         return group(codes_.incremental, true);
-      case 920:
+      case kG92:
         return one_shot(OneShot::shift);
-      case 930:
-      case 950:
+      case kG93:
+      case kG95:
         return group(codes_.feed_per_minute, false);
-      case 940:
+      case kG94:
         return group(codes_.feed_per_minute, true);
-      case 980:
+      case kG98:
         return group(codes_.to_initial_level, true);
-      case 990:
+      case kG99:
         return group(codes_.to_initial_level, false);
       default:
         return false;

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <array>
 
+#include "spec/language/fanuc/g_codes.h"
+
 namespace toolcomp::spec {
 namespace {
 
 // Ascending, in tenths.
-constexpr std::array<std::uint64_t, 26> kCodes{50,  51,  80,  90,  110, 131, 150, 220, 230, 250, 401,  500,  501,
-                                               502, 610, 611, 620, 630, 640, 670, 690, 960, 970, 1130, 1500, 1600};
+constexpr std::array<std::uint64_t, 26> kCodes{kG05, kG05_1, kG08, kG09,   kG11,   kG13_1, kG15,   kG22, kG23,
+                                               kG25, kG40_1, kG50, kG50_1, kG50_2, kG61,   kG61_1, kG62, kG63,
+                                               kG64, kG67,   kG69, kG96,   kG97,   kG113,  kG150,  kG160};
 static_assert(std::ranges::is_sorted(kCodes));
 
 // M00 M01 M02 M30 end or stop the reading ahead, M98 and M99 call and return.

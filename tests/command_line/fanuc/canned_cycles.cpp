@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "formal/engine.h"
+#include "spec_engine/engine.h"
 #include "tests/command_line/command.h"
 
 namespace {
@@ -69,7 +69,7 @@ TEST_F(CannedCycles, AContourWithCyclesIsJudgedToItsEnd) {
   const std::string program = folder_.write("part.nc", kProgram);
   const std::string setup = folder_.write("setup.toml", kSetup);
   for (const std::string engine : {"model", "fast", "spec"}) {
-    if (engine == "spec" && !::toolcomp::formal::available()) continue;
+    if (engine == "spec" && !::toolcomp::spec_engine::available()) continue;
     const Outcome run = toolcomp("run " + program + " --setup " + setup + " --notes off --engine " + engine);
     ASSERT_EQ(run.status, 0) << run.err;
     std::vector<std::string> holes;

@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "corpus/sha256.h"
-#include "fuzz/oracle/verdict.h"
+#include "host/sha256.h"
+#include "judge/oracle/verdict.h"
 #include "model/basis/number.h"
 #include "spec/language/fanuc/program_reader.h"
 #include "spec/language/setup_format.h"
@@ -45,13 +45,13 @@ std::optional<Rational> value(const spec::Block& block, char letter) {
 }
 
 TEST(Contour, TheSameBytesOnEveryCompiler) {
-  EXPECT_EQ(sha256(make_contour({.blocks = 500}).program),
+  EXPECT_EQ(host::sha256(make_contour({.blocks = 500}).program),
             "f186d4fdc7bf970ef3862b9b358be920ffbe411d7d44b694eaaf019ecb4577e8");
-  EXPECT_EQ(sha256(make_contour({.blocks = 500, .variant = ContourVariant::island, .seed = 2}).program),
+  EXPECT_EQ(host::sha256(make_contour({.blocks = 500, .variant = ContourVariant::island, .seed = 2}).program),
             "466e5b9b319ed2daffae7531921cd8c828717734613140f99c10eb6817217bba");
-  EXPECT_EQ(
-      sha256(make_contour({.blocks = 2500, .variant = ContourVariant::tight, .place = TightPlace::groove}).program),
-      "81dd5d48070160eefe9fbf50f65c26af428c30808b184851e22d74dd1c6fef9f");
+  EXPECT_EQ(host::sha256(
+                make_contour({.blocks = 2500, .variant = ContourVariant::tight, .place = TightPlace::groove}).program),
+            "81dd5d48070160eefe9fbf50f65c26af428c30808b184851e22d74dd1c6fef9f");
 }
 
 TEST(Contour, IsClosedAndItsArcsAreCircles) {
@@ -88,18 +88,18 @@ TEST(Contour, IsClosedAndItsArcsAreCircles) {
 TEST(Contour, RefusesTooFewBlocks) { EXPECT_THROW(make_contour({.blocks = kLeastContour - 1}), std::invalid_argument); }
 
 // The model's run, on which the fast engine must agree.
-fuzz::ModelRun agreed(const spec::Case& c) {
-  fuzz::ModelRun run = fuzz::run_model(c);
-  const fuzz::Verdict verdict = fuzz::judge(c, run, fuzz::run_fast(c));
-  EXPECT_EQ(verdict.outcome, fuzz::Outcome::agrees)
-      << (verdict.difference ? fuzz::explain(*verdict.difference) : verdict.undecided);
+judge::ModelRun agreed(const spec::Case& c) {
+  judge::ModelRun run = judge::run_model(c);
+  const judge::Verdict verdict = judge::judge(c, run, judge::run_fast(c));
+  EXPECT_EQ(verdict.outcome, judge::Outcome::agrees)
+      << (verdict.difference ? judge::explain(*verdict.difference) : verdict.undecided);
   return run;
 }
 
 TEST(Contour, PocketAndIslandRunToTheirEnd) {
   for (const ContourVariant variant : {ContourVariant::pocket, ContourVariant::island})
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
-      const fuzz::ModelRun run = agreed(as_case(make_contour({.blocks = kBlocks, .variant = variant, .seed = seed})));
+      const judge::ModelRun run = agreed(as_case(make_contour({.blocks = kBlocks, .variant = variant, .seed = seed})));
       ASSERT_FALSE(run.events.empty());
       EXPECT_EQ(run.events.back().kind, spec::EventKind::move);
     }
@@ -112,7 +112,7 @@ TEST(Contour, TightPlacesEndTheRunWhereTheyMust) {
           make_contour({.blocks = kBlocks, .variant = ContourVariant::tight, .seed = 5, .at = at, .place = place});
       ASSERT_TRUE(contour.alarm_line.has_value());
       const spec::Case c = as_case(contour);
-      const fuzz::ModelRun run = agreed(c);
+      const judge::ModelRun run = agreed(c);
       ASSERT_FALSE(run.events.empty());
       EXPECT_EQ(run.events.back().number, spec::Name("PS0041"));
       EXPECT_EQ(run.events.back().line, *contour.alarm_line);

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "corpus/sha256.h"
-#include "fuzz/oracle/verdict.h"
+#include "host/sha256.h"
+#include "judge/oracle/verdict.h"
 #include "model/basis/number.h"
 #include "spec/language/fanuc/program_reader.h"
 #include "spec/language/setup_format.h"
@@ -56,9 +56,9 @@ std::vector<std::vector<Position>> passes(const spec::Case& c) {
 }
 
 TEST(Flank, TheSameBytesOnEveryCompiler) {
-  EXPECT_EQ(sha256(make_flank({.blocks = 500}).program),
+  EXPECT_EQ(host::sha256(make_flank({.blocks = 500}).program),
             "26ce415db503382b23304209ff562279b451cb269b273e63c5560ccbd91359df");
-  EXPECT_EQ(sha256(make_flank({.blocks = 500, .tool = FlankTool::vector}).program),
+  EXPECT_EQ(host::sha256(make_flank({.blocks = 500, .tool = FlankTool::vector}).program),
             "767c1d291996041ae026b09a86f5ec751036791ac111bbf7e5bee4b9cc45e138");
 }
 
@@ -116,11 +116,11 @@ TEST(Flank, TheToolTurnsInEveryBlock) {
 TEST(Flank, BothEnginesRunItToItsEnd) {
   for (const FlankTool tool : {FlankTool::rotary, FlankTool::vector}) {
     const spec::Case c = as_case(make_flank({.blocks = kBlocks, .tool = tool}));
-    const fuzz::ModelRun run = fuzz::run_model(c);
-    const std::vector<fast::Event> events = fuzz::run_fast(c);
-    const fuzz::Verdict verdict = fuzz::judge(c, run, events);
-    EXPECT_EQ(verdict.outcome, fuzz::Outcome::agrees)
-        << (verdict.difference ? fuzz::explain(*verdict.difference) : verdict.undecided);
+    const judge::ModelRun run = judge::run_model(c);
+    const std::vector<fast::Event> events = judge::run_fast(c);
+    const judge::Verdict verdict = judge::judge(c, run, events);
+    EXPECT_EQ(verdict.outcome, judge::Outcome::agrees)
+        << (verdict.difference ? judge::explain(*verdict.difference) : verdict.undecided);
     ASSERT_FALSE(run.events.empty());
     EXPECT_EQ(run.events.back().kind, spec::EventKind::move);
     EXPECT_GT(run.events.size(), kBlocks);

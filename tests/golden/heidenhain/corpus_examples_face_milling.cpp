@@ -433,12 +433,12 @@ TEST(FaceMillingVectors, ThirtyDigits) {
   const auto vector = [](const std::array<model::Real, 3>& v) {
     return space::Rows{v[0].decimal(kThirty), v[1].decimal(kThirty), v[2].decimal(kThirty)};
   };
-  const fuzz::ModelRun reworked = fuzz::run_model(worked::vector_of(kSection, "examples", "E1: "));
+  const judge::ModelRun reworked = judge::run_model(worked::vector_of(kSection, "examples", "E1: "));
   const model::Event& e1 = reworked.events.back();
   EXPECT_EQ(vector({e1.point[0], e1.point[1], e1.point[2]}),
             (space::Rows{"36.054981069776460940259370772112", "6.24258845869536030452846923275",
                          "-1.933902321076867630085102893279"}));
-  const fuzz::ModelRun toroid = fuzz::run_model(worked::vector_of(kSection, "examples", "E11: "));
+  const judge::ModelRun toroid = judge::run_model(worked::vector_of(kSection, "examples", "E11: "));
   ASSERT_TRUE(toroid.events.back().space);
   EXPECT_EQ(vector(toroid.events.back().space->tool_shift),
             (space::Rows{"0.059390409959017042630107200988", "0.093008090294541035995889864545",

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "corpus/sha256.h"
-#include "fuzz/oracle/verdict.h"
+#include "host/sha256.h"
+#include "judge/oracle/verdict.h"
 #include "spec/language/setup_format.h"
 
 namespace toolcomp::corpus {
@@ -56,9 +56,9 @@ double height(double x, double y) {
 }
 
 TEST(Freeform, TheSameBytesOnEveryCompiler) {
-  EXPECT_EQ(sha256(make_freeform({.blocks = 500}).program),
+  EXPECT_EQ(host::sha256(make_freeform({.blocks = 500}).program),
             "4c702fe9b68dce6feb92dcd760073823865d06c34c025d8e3e13c78f28b8f17c");
-  EXPECT_EQ(sha256(make_freeform({.blocks = 500, .tool_vector = false}).program),
+  EXPECT_EQ(host::sha256(make_freeform({.blocks = 500, .tool_vector = false}).program),
             "bb36955233b14262004058e008437879284825d295bcac87837acb429643ccc3");
 }
 
@@ -99,11 +99,11 @@ TEST(Freeform, BothEnginesTouchTheSurface) {
   constexpr double kRounding = 2e-4;
   for (const bool tool_vector : {true, false}) {
     const spec::Case c = as_case(make_freeform({.blocks = kBlocks, .tool_vector = tool_vector}));
-    const fuzz::ModelRun run = fuzz::run_model(c);
-    const std::vector<fast::Event> events = fuzz::run_fast(c);
-    const fuzz::Verdict verdict = fuzz::judge(c, run, events);
-    EXPECT_EQ(verdict.outcome, fuzz::Outcome::agrees)
-        << (verdict.difference ? fuzz::explain(*verdict.difference) : verdict.undecided);
+    const judge::ModelRun run = judge::run_model(c);
+    const std::vector<fast::Event> events = judge::run_fast(c);
+    const judge::Verdict verdict = judge::judge(c, run, events);
+    EXPECT_EQ(verdict.outcome, judge::Outcome::agrees)
+        << (verdict.difference ? judge::explain(*verdict.difference) : verdict.undecided);
     std::size_t touching = 0;
     for (const fast::Event& event : events) {
       ASSERT_EQ(event.kind, spec::EventKind::move) << "line " << event.line;

@@ -31,8 +31,8 @@ spec::Case example(const std::string& program) {
 void expect(const std::string& program, std::size_t moves, const space::Rows& rows) {
   SCOPED_TRACE(program);
   const spec::Case c = example(program);
-  const fuzz::ModelRun run = fuzz::run_model(c);
-  const std::vector<fast::Event> fast = fuzz::run_fast(c);
+  const judge::ModelRun run = judge::run_model(c);
+  const std::vector<fast::Event> fast = judge::run_fast(c);
   std::vector<spec::TextEvent> model;
   for (const model::Event& event : run.events) model.push_back(model::text_event(event, 15));
   const auto look = [&](const auto& events) {

@@ -39,7 +39,7 @@ spec::Case unchecked(const Path& path, const Writing& how = {}) {
 
 // The heads between the segments i and i + 1, neighbours that coincide once.
 using Heads = std::vector<std::array<Real, 2>>;
-std::vector<Heads> corners(const fuzz::ModelRun& run, std::size_t segments) {
+std::vector<Heads> corners(const judge::ModelRun& run, std::size_t segments) {
   std::vector<Heads> groups(segments - 1);
   for (const model::Event& e : run.events) {
     if (e.kind != EventKind::move || e.line < kFirstSegmentLine) continue;
@@ -103,7 +103,7 @@ RC_GTEST_PROP(LawsOfCutterC, TheWayBackOnTheOtherSideHasTheSameHeads, ()) {
   RC_LOG() << fuzz::encode(there) << fuzz::encode(back);
   const auto a = model_run(there);
   const auto b = model_run(back);
-  const auto alarm = [](const fuzz::ModelRun& run) { return run.events.back().kind != EventKind::move; };
+  const auto alarm = [](const judge::ModelRun& run) { return run.events.back().kind != EventKind::move; };
   // Either way a corner without intersection ends the run; start-up and cancel can alarm on one way alone.
   if (alarm(*a) || alarm(*b)) RC_DISCARD("alarm");
   std::vector<Heads> forward = corners(*a, path.segments.size());

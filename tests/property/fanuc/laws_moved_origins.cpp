@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The law of moved origins (fuzz/laws) on generated programs of every section: it holds, and it is asked of those that
+// The law of moved origins (judge/laws) on generated programs of every section: it holds, and it is asked of those that
 // change the workpiece system.
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "fuzz/laws/changed_program.h"
+#include "judge/laws/changed_program.h"
 #include "tests/property/fanuc/cutter_paths.h"
 
 namespace toolcomp::laws {
@@ -18,9 +18,9 @@ constexpr const char* kSectionsOfFanuc[] = {
     "fanuc/cutter-compensation-b", "fanuc/cutter-compensation-c",     "fanuc/tool-side-compensation",
     "fanuc/leading-edge-offset",   "fanuc/tool-center-point-control", "fanuc/tool-posture-control"};
 
-fuzz::laws::Verdict moved_origins(const spec::Case& c, const fuzz::ModelRun& run) {
-  return fuzz::laws::hold_changed("moved-origins", c, run.events,
-                                  [](const spec::Case& other) { return fuzz::run_model(other).events; });
+judge::laws::Verdict moved_origins(const spec::Case& c, const judge::ModelRun& run) {
+  return judge::laws::hold_changed("moved-origins", c, run.events,
+                                   [](const spec::Case& other) { return judge::run_model(other).events; });
 }
 
 bool selects_another_system(const std::string& word) {
@@ -28,7 +28,7 @@ bool selects_another_system(const std::string& word) {
 }
 
 // The first move from the block on that selects another system; the number of events where there is none.
-std::size_t move_in_another_system(const spec::Case& c, const fuzz::ModelRun& run) {
+std::size_t move_in_another_system(const spec::Case& c, const judge::ModelRun& run) {
   const std::vector<std::string> text = fuzz::lines(c.program);
   const auto first =
       std::ranges::find_if(text, [](const std::string& l) { return has_word(l, selects_another_system); });
@@ -39,7 +39,7 @@ std::size_t move_in_another_system(const spec::Case& c, const fuzz::ModelRun& ru
 }
 
 // Nothing is asked behind what is left open.
-bool is_open_before(const fuzz::ModelRun& run, std::size_t event) {
+bool is_open_before(const judge::ModelRun& run, std::size_t event) {
   return std::any_of(run.events.begin(), run.events.begin() + static_cast<std::ptrdiff_t>(event),
                      [](const model::Event& e) { return e.kind == EventKind::undecided; });
 }
@@ -63,7 +63,7 @@ RC_GTEST_PROP(LawOfMovedOrigins, HoldsWhereverSystemsChange, ()) {
       *rc::gen::elementOf(std::vector<std::string_view>(std::begin(kSectionsOfFanuc), std::end(kSectionsOfFanuc)))));
   const auto run = model_run(c);
   RC_PRE(run.has_value());
-  const fuzz::laws::Verdict verdict = moved_origins(c, *run);
+  const judge::laws::Verdict verdict = moved_origins(c, *run);
   RC_CLASSIFY(verdict.checks > 0, "asked");
   if (verdict.violation)
     RC_LOG() << fuzz::encode(c) << "line " << verdict.violation->line << ": " << verdict.violation->text << ": "
@@ -83,7 +83,7 @@ RC_GTEST_PROP(LawOfMovedOrigins, HoldsWhereTheCancelSelectsASystem, ()) {
   c.setup.workpiece[5]['X'] = spec::decimal(*rc::gen::inRange(-99, 100));
   const auto run = model_run(c);
   RC_LOG() << fuzz::encode(c);
-  const fuzz::laws::Verdict verdict = moved_origins(c, *run);
+  const judge::laws::Verdict verdict = moved_origins(c, *run);
   RC_ASSERT(verdict.checks > 0);
   RC_ASSERT(!verdict.violation);
   fast_agrees(c, *run);
@@ -103,11 +103,11 @@ TEST(LawOfMovedOrigins, IsAskedWhereGeneratedProgramsChangeTheSystem) {
           fuzz::generate(section, seed % 2 == 0 ? fuzz::Mode::directed : fuzz::Mode::unrestricted, source);
       if (!has_word(c.program, selects_another_system)) continue;
       try {
-        const fuzz::ModelRun run = fuzz::run_model(c);
+        const judge::ModelRun run = judge::run_model(c);
         const std::size_t move = move_in_another_system(c, run);
         if (move == run.events.size()) continue;
         ++reached;
-        const fuzz::laws::Verdict verdict = moved_origins(c, run);
+        const judge::laws::Verdict verdict = moved_origins(c, run);
         EXPECT_FALSE(verdict.violation) << c.program << verdict.violation->text;
         if (verdict.checks > 0 && !is_open_before(run, move)) ++asked;
       } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch): no run, nothing to ask

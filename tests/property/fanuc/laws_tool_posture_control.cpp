@@ -58,7 +58,7 @@ std::string program(const std::vector<Posture>& blocks, int b, int c, const std:
   return text;
 }
 
-std::vector<const model::Event*> of_line(const fuzz::ModelRun& run, std::uint64_t line) {
+std::vector<const model::Event*> of_line(const judge::ModelRun& run, std::uint64_t line) {
   std::vector<const model::Event*> events;
   for (const model::Event& e : run.events)
     if (e.line == line && (e.kind == EventKind::move || e.kind == EventKind::sample)) events.push_back(&e);

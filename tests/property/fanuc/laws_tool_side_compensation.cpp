@@ -221,7 +221,7 @@ RC_GTEST_PROP(LawsOfToolSide, HeadsOfBlocksAlongTheToolBefore, ()) {
 
 // The heads at the end of each block, in order.
 using HeadsInSpace = std::vector<std::array<Real, 3>>;
-std::vector<HeadsInSpace> groups(const fuzz::ModelRun& run) {
+std::vector<HeadsInSpace> groups(const judge::ModelRun& run) {
   std::vector<HeadsInSpace> result;
   for (const model::Event& e : run.events) {
     if (e.kind != EventKind::move) continue;

@@ -32,7 +32,7 @@ std::string program(const std::vector<Corner>& path, const char* side) {
 
 // No corner that cannot be: every event is a move or a warning.
 bool runs(const spec::Case& c) {
-  const auto events = fuzz::run_model(c).events;
+  const auto events = judge::run_model(c).events;
   return !events.empty() && events.back().kind == EventKind::move;
 }
 

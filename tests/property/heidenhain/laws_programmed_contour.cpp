@@ -52,7 +52,7 @@ RC_GTEST_PROP(LawsOfProgrammedContour, BesideThePathTheRadiusIsADelta, ()) {
   const spec::Case contour = make(kContour, tool, {.contour = true}, path);
   const spec::Case off = make(kContour, all_delta, {}, path);
   // A corner that cannot be is left to the laws of peripheral milling.
-  RC_PRE(fuzz::run_model(contour).events.back().kind == EventKind::move);
+  RC_PRE(judge::run_model(contour).events.back().kind == EventKind::move);
   const std::vector<Moved> a = moved(contour);
   const std::vector<Moved> b = moved(off);
   RC_ASSERT(a.size() == b.size());

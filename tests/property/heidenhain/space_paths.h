@@ -100,7 +100,7 @@ struct Moved {
 
 // The moves of the model, in order; no alarm. The fast engine agrees.
 inline std::vector<Moved> moved(const spec::Case& c) {
-  const fuzz::ModelRun run = fuzz::run_model(c);
+  const judge::ModelRun run = judge::run_model(c);
   RC_LOG() << fuzz::encode(c);
   const auto place = [](const Table& values) { return Vec{values[0], values[1], values[2]}; };
   std::vector<Moved> moves;

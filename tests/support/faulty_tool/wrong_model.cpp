@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// A planted fault in the model: it takes G44 for G43. The linker puts this function in the place of fuzz::run_model
+// A planted fault in the model: it takes G44 for G43. The linker puts this function in the place of judge::run_model
 // (CMakeLists.txt), whose symbol it asks for by its own.
 #include <string>
 
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/verdict.h"
 
 namespace {
 
-using toolcomp::fuzz::Forced;
-using toolcomp::fuzz::ModelRun;
+using toolcomp::judge::Forced;
+using toolcomp::judge::ModelRun;
 using toolcomp::spec::Case;
 
 #define TOOLCOMP_RUN_MODEL \
-  "_ZN8toolcomp4fuzz9run_modelERKNS_4spec4CaseERKSt3mapImNS_5exact4SignESt4lessImESaISt4pairIKmS7_EEE"
+  "_ZN8toolcomp5judge9run_modelERKNS_4spec4CaseERKSt3mapImNS_5exact4SignESt4lessImESaISt4pairIKmS7_EEE"
 
 }  // namespace
 

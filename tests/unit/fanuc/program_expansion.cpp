@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "fast/basis/print.h"
-#include "fuzz/oracle/control.h"
-#include "fuzz/oracle/trial.h"
+#include "judge/oracle/control.h"
+#include "judge/oracle/trial.h"
 #include "model/basis/print.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/event_format.h"
@@ -210,7 +210,7 @@ Told told(std::vector<spec::Event<Number>> events, const spec::Axes& axes, const
 }
 
 Told of_model(const spec::Case& c) {
-  return told(fuzz::run_model(c).events, c.setup.axes,
+  return told(judge::run_model(c).events, c.setup.axes,
               [](std::string& out, const exact::Real& value) { model::append_number(out, value, 15); });
 }
 Told of_fast(const std::vector<fast::Event>& events, const spec::Axes& axes) {
@@ -223,7 +223,7 @@ Told of_files(const spec::Case& c, const std::string& main, const fs::path& fold
     std::vector<fast::Event> events;
     void on(const fast::Event& event) override { events.push_back(event); }
   } sink;
-  using Control = fuzz::FanucControl;
+  using Control = judge::FanucControl;
   auto reader = Control::reader(spec::text_source(main), c.setup, "p", spec::programs_beside(folder));
   auto engine = Control::fast(c.setup, sink, 0);
   for (Control::Block block; !engine.stopped() && reader.next(block);) engine.block(block);
@@ -266,8 +266,8 @@ TEST(ProgramExpansion, CallsGiveTheEventsOfTheFlatProgram) {
         spec::joined_program(files.at("main.nc"), flat.setup.axes, {.called_program = spec::programs_beside(folder)});
     const Told model = of_model(flat);
     expect_same(model, map, of_model(called));
-    const Told fast = of_fast(fuzz::run_fast(flat), flat.setup.axes);
-    expect_same(fast, map, of_fast(fuzz::run_fast(called), flat.setup.axes));
+    const Told fast = of_fast(judge::run_fast(flat), flat.setup.axes);
+    expect_same(fast, map, of_fast(judge::run_fast(called), flat.setup.axes));
     expect_same(fast, map, of_files(called, files.at("main.nc"), folder));
     if (HasFailure()) {
       for (const auto& [name, text] : files) ADD_FAILURE() << "== " << name << '\n' << text;

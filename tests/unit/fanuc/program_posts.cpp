@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "fuzz/oracle/trial.h"
+#include "judge/oracle/trial.h"
 #include "spec/language/alarm.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/fanuc/program_files.h"
@@ -73,9 +73,9 @@ TEST(ProgramPosts, BothEnginesAgreeAndTheUnsupportedSaysItsName) {
     c.setup = setup;
     const std::string text = spec::read_file(entry.path().string());
     c.program = spec::joined_program(text, setup.axes, {.called_program = spec::programs_beside(kFolder)});
-    const fuzz::Trial trial = fuzz::try_case(c);
-    EXPECT_EQ(trial.verdict.outcome, fuzz::Outcome::agrees)
-        << (trial.verdict.difference ? fuzz::explain(*trial.verdict.difference) : "");
+    const judge::Trial trial = judge::try_case(c);
+    EXPECT_EQ(trial.verdict.outcome, judge::Outcome::agrees)
+        << (trial.verdict.difference ? judge::explain(*trial.verdict.difference) : "");
     ASSERT_FALSE(trial.run.events.empty());
     EXPECT_GE(std::ranges::count(trial.run.events, spec::EventKind::move, &model::Event::kind), 3);
     const auto block = first_not_supported(c);

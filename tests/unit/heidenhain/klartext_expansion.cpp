@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "fast/basis/print.h"
-#include "fuzz/oracle/control.h"
-#include "fuzz/oracle/trial.h"
+#include "judge/oracle/control.h"
+#include "judge/oracle/trial.h"
 #include "model/basis/print.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/event_format.h"
@@ -164,11 +164,12 @@ Told told(std::vector<spec::Event<Number>> events, const spec::Axes& axes, const
 }
 
 Told of_model(const spec::Case& c) {
-  return told(fuzz::run_model(c).events, c.setup.axes,
+  return told(judge::run_model(c).events, c.setup.axes,
               [](std::string& out, const exact::Real& value) { model::append_number(out, value, 15); });
 }
 Told of_fast(const spec::Case& c) {
-  return told(fuzz::run_fast(c), c.setup.axes, [](std::string& out, double value) { fast::append_number(out, value); });
+  return told(judge::run_fast(c), c.setup.axes,
+              [](std::string& out, double value) { fast::append_number(out, value); });
 }
 
 // Read from the files as they are called.
@@ -177,7 +178,7 @@ Told of_files(const spec::Case& c, const std::string& main, const fs::path& fold
     std::vector<fast::Event> events;
     void on(const fast::Event& event) override { events.push_back(event); }
   } sink;
-  using Control = fuzz::HeidenhainControl;
+  using Control = judge::HeidenhainControl;
   auto reader = Control::reader(spec::text_source(main), c.setup, "p", spec::klartext::programs_beside(folder));
   auto engine = Control::fast(c.setup, sink, 0);
   for (Control::Block block; !engine.stopped() && reader.next(block);) engine.block(block);

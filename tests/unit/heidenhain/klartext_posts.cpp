@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "fuzz/oracle/trial.h"
+#include "judge/oracle/trial.h"
 #include "spec/language/alarm.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/heidenhain/joined_program.h"
@@ -69,9 +69,9 @@ TEST(KlartextPosts, BothEnginesAgreeAndTheUnsupportedSaysItsName) {
     c.setup = setup;
     const std::string text = spec::read_file(entry.path().string());
     c.program = spec::klartext::joined_klartext(text, spec::klartext::programs_beside(kFolder));
-    const fuzz::Trial trial = fuzz::try_case(c);
-    EXPECT_EQ(trial.verdict.outcome, fuzz::Outcome::agrees)
-        << (trial.verdict.difference ? fuzz::explain(*trial.verdict.difference) : "");
+    const judge::Trial trial = judge::try_case(c);
+    EXPECT_EQ(trial.verdict.outcome, judge::Outcome::agrees)
+        << (trial.verdict.difference ? judge::explain(*trial.verdict.difference) : "");
     ASSERT_FALSE(trial.run.events.empty());
     const auto block = first_unsupported(c);
     const auto expected = kUnsupported.find(name);

@@ -8,8 +8,8 @@
 
 #include "corpus/golden.h"
 #include "corpus/vector.h"
-#include "fuzz/oracle/trial.h"
-#include "fuzz/oracle/verdict.h"
+#include "judge/oracle/trial.h"
+#include "judge/oracle/verdict.h"
 #include "tests/unit/heidenhain/klartext_run.h"
 
 namespace toolcomp::test {
@@ -62,15 +62,15 @@ TEST(NamingClause, NamesADifference) {
   spec::Case c;
   c.setup = spec::read_setup_toml("control = \"heidenhain\"\n" + tool(kBall), "setup.toml");
   c.program = "TOOL CALL 1 Z\nM128\nL X10 RL\nL Y10 R0\n";
-  std::vector<fast::Event> events = fuzz::run_fast(c);
+  std::vector<fast::Event> events = judge::run_fast(c);
   ASSERT_EQ(events.back().cause, spec::Cause::cancel);
   std::vector<fast::Event> moved = events;
   moved.back().point.set(1, moved.back().point[1] + 1);
-  const fuzz::Verdict position = fuzz::judge(c, fuzz::run_model(c), moved);
+  const judge::Verdict position = judge::judge(c, judge::run_model(c), moved);
   ASSERT_TRUE(position.difference);
   EXPECT_EQ(position.difference->clause, spec::Clause::heidenhain_program_no_compensation);
   events.back().cause = spec::Cause::programmed;
-  const fuzz::Verdict cause = fuzz::judge(c, fuzz::run_model(c), events);
+  const judge::Verdict cause = judge::judge(c, judge::run_model(c), events);
   ASSERT_TRUE(cause.difference);
   EXPECT_EQ(cause.difference->clause, spec::Clause::heidenhain_peripheral_cancel);
 }
