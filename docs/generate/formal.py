@@ -34,6 +34,24 @@ def definitions(file):
     return f"`spec/formal/{file}`\n" + coq("\n\n".join(parts))
 
 
+def definition(argument):
+    """One definition, "FILE NAME"."""
+    file, wanted = argument.split()
+    return next(coq(f"(** {doc} *)\n{text}") for doc, _, name, text in sentences(file) if name == wanted)
+
+
+def function(argument):
+    """One function of C++ with the comment above it, "FILE NAME"."""
+    file, wanted = argument.split()
+    lines = (ROOT / file).read_text().splitlines()
+    begin = next(i for i, line in enumerate(lines) if re.match(rf" *[^/ ].*\b{wanted}\(.*\{{$", line))
+    indent = re.match(" *", lines[begin])[0]
+    end = lines.index(indent + "}", begin)
+    while lines[begin - 1].startswith(indent + "//"):
+        begin -= 1
+    return "\n```cpp\n" + "\n".join(line.removeprefix(indent) for line in lines[begin:end + 1]) + "\n```\n"
+
+
 def theorems(file):
     """The theorems: what each says, and its statement to unfold."""
     parts = []

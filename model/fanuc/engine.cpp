@@ -2,12 +2,13 @@
 #include "model/fanuc/engine.h"
 
 #include <memory>
+#include <utility>
 
 #include "model/basis/alarm.h"
+#include "model/fanuc/passes/passes.h"
 #include "model/fanuc/program/offset_memory.h"
-#include "model/fanuc/program/pipeline.h"
 #include "model/fanuc/reporter.h"
-#include "model/fanuc/stages.h"
+#include "model/fanuc/sections.h"
 #include "model/fanuc/step_maker.h"
 #include "spec/language/input_error.h"
 
@@ -23,31 +24,35 @@ spec::Setup checked(const spec::Setup& setup) {
 
 }  // namespace
 
-// The way of a block: a step is made of it, passes through the stages of compensation, and is reported.
+// The way of a block: a step is made of it, goes through the passes of compensation, and is reported.
 struct Engine::State {
   State(const spec::Setup& given, Recorder& the_recorder, EventSink& sink, std::uint32_t samples, MotionSink* motions)
       : setup(checked(given)),
         recorder(the_recorder),
         memory(setup, recorder),
         maker(setup, memory, recorder, samples > 1 || motions != nullptr),
-        compensation(stages(setup), setup, memory, recorder, [this](const Step& step) { report(step); }),
+        compensation(sections(setup), {setup, memory, recorder}),
         reporter(setup, recorder, sink, samples, motions) {
     if (motions != nullptr) motions->stand(maker.zero(), 0, {});
   }
 
   void run(const spec::Block& block);
   void finish();
-  void report(const Step& step);
-  // Runs `work`, and ends the run where it raises an alarm or cannot decide.
+  // What the passes have made.
+  void report_made();
+  // Runs `work`, and ends the run if it raises an alarm or cannot decide.
   template <class Work>
   void guarded(const Work& work);
-  void fail(const Alarm& alarm);
+  // An Alarm or LeftOpen: the blocks before it are given as if nothing followed. If nothing may follow one of them,
+  // that block is at fault before this one.
+  template <class Fault>
+  void fail(const Fault& fault);
 
   spec::Setup setup;
   Recorder& recorder;
   OffsetMemory memory;
   StepMaker maker;
-  Pipeline compensation;
+  Passes compensation;
   Reporter reporter;
   bool stopped = false;
 };
@@ -74,41 +79,45 @@ void Engine::State::guarded(const Work& work) {
   } catch (const Alarm& alarm) {
     fail(alarm);
   } catch (const LeftOpen& open) {
-    stopped = true;
-    reporter.report(open);
+    fail(open);
   } catch (const exact::Undecided&) {
     stopped = true;
     reporter.report_undecided();
   }
 }
 
-// What is held goes out as if nothing followed; where nothing may follow, the block held is at fault before this one.
-void Engine::State::fail(const Alarm& alarm) {
+template <class Fault>
+void Engine::State::fail(const Fault& fault) {
   stopped = true;
   const spec::ClauseList clauses = recorder.take_clauses();
   guarded([&] {
-    compensation.finish();
-    reporter.report(alarm, clauses);
+    finish();
+    reporter.report(fault, clauses);
   });
-}
-
-void Engine::State::finish() {
-  compensation.finish();
-  stopped = true;
 }
 
 void Engine::State::run(const spec::Block& block) {
   reporter.at(block);
   recorder.at(block.line);
-  const Step step = maker.make(block, compensation);
-  compensation.take(step);
+  Step step = maker.make(block, compensation);
+  const bool ends = step.ends_program;
+  compensation.take(std::move(step));
+  report_made();
   // fanuc.program.end: M02 and M30 end the program after their block, and so does the end of the text.
-  if (recorder.decide(Clause::fanuc_program_end, step.ends_program)) finish();
+  if (recorder.decide(Clause::fanuc_program_end, ends)) finish();
 }
 
-void Engine::State::report(const Step& step) {
-  if (step.alarm) stopped = true;
-  reporter.report(step);
+void Engine::State::report_made() {
+  while (const auto step = compensation.next()) {
+    if (step->alarm) stopped = true;
+    reporter.report(*step);
+  }
+}
+
+void Engine::State::finish() {
+  compensation.end();
+  report_made();
+  stopped = true;
 }
 
 }  // namespace toolcomp::model

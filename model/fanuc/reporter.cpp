@@ -142,11 +142,11 @@ void Reporter::report(const Alarm& alarm, const spec::ClauseList& clauses) {
   sink_.on(event);
 }
 
-void Reporter::report(const LeftOpen& open) {
+void Reporter::report(const LeftOpen& open, const spec::ClauseList& clauses) {
   Event event = event_of(spec::EventKind::undecided, open);
   event.number = spec::info(open.clause).id;
   event.permitted = {true, true, true};
-  event.clauses = recorder_.take_clauses();
+  event.clauses = clauses;
   sink_.on(event);
 }
 

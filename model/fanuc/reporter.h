@@ -31,7 +31,7 @@ class Reporter {
   // The alarm that ends the run, and the clauses it rests on.
   void report(const Alarm& alarm, const spec::ClauseList& clauses);
   // The specification leaves it open; or the decision asked last could not be certified.
-  void report(const LeftOpen& open);
+  void report(const LeftOpen& open, const spec::ClauseList& clauses);
   void report_undecided();
 
  private:

@@ -26,11 +26,11 @@ StepMaker::StepMaker(const spec::Setup& setup, OffsetMemory& memory, Recorder& r
       tool_offset_(setup, memory, recorder),
       measurement_(setup, recorder) {}
 
-Step StepMaker::make(const spec::Block& block, Pipeline& stages) {
+Step StepMaker::make(const spec::Block& block, Passes& passes) {
   Command command = interpreter_.read(block);
   cycles_.read(command);
   interpreter_.require_feed(command);
-  Making now{command, stages, {}, false, {}, {}, {}, false, {}};
+  Making now{command, passes, {}, false, {}, {}, false, {}};
   now.step.line = block.line;
   now.step.n = block.n;
   read_words(now);
@@ -46,18 +46,18 @@ Step StepMaker::make(const spec::Block& block, Pipeline& stages) {
 
 void StepMaker::read_words(Making& now) {
   const Command& command = now.command;
-  now.tip = tip_control_.read(command, length_, now.stages);
+  now.tip = tip_control_.read(command, length_, now.passes);
   if (command.cycle.on) check_cycle(now);
-  now.compensates = shifts_system_ && (now.stages.in_force(Extent::space, command).any() ||
-                                       now.stages.in_force(Extent::plane, command).any());
-  const StageCommand for_stages{command, interpreter_, now.tip.directed};
-  now.stages.read(Extent::space, for_stages, now.words);
+  now.compensates = shifts_system_ && (now.passes.in_force(Extent::space, command).any() ||
+                                       now.passes.in_force(Extent::plane, command).any());
+  const BlockWords for_passes{command, interpreter_, now.tip.directed};
+  now.passes.read(Extent::space, for_passes, now.step.words);
   if (now.tip.ends || now.tip.again)
     tip_control_.rename_position(now.tip, tool_offset_.shifted(interpreter_.stay(command)), interpreter_);
   interpreter_.select_workpiece_system(command);
-  now.stages.read(Extent::plane, for_stages, now.words);
+  now.passes.read(Extent::plane, for_passes, now.step.words);
   if (measures(command))
-    measurement_.read(command, length_.number(), now.stages.in_force(Extent::plane, command).any());
+    measurement_.read(command, length_.number(), now.passes.in_force(Extent::plane, command).any());
   if (command.codes.writes_origin)
     interpreter_.write_origins(command);
   else if (command.codes.one_shot == OneShot::data)
@@ -65,19 +65,17 @@ void StepMaker::read_words(Making& now) {
 }
 
 void StepMaker::check_cycle(Making& now) {
-  const Pipeline::InForce space = now.stages.in_force(Extent::space, now.command);
-  const Pipeline::InForce plane = now.stages.in_force(Extent::plane, now.command);
+  const Passes::InForce space = now.passes.in_force(Extent::space, now.command);
+  const Passes::InForce plane = now.passes.in_force(Extent::plane, now.command);
   try {
     cycles_.check(now.command, {space.before || plane.before, space.after, plane.after});
   } catch (const LeftOpen& open) {
-    leave_open_here(now, open);
+    leave_open_here(open);
   }
 }
 
-void StepMaker::leave_open_here(Making& now, const LeftOpen& open) {
+void StepMaker::leave_open_here(const LeftOpen& open) {
   recorder_.take_clauses();
-  now.stages.finish();
-  recorder_.at(now.step.line);
   leave_open(recorder_, open.clause, open.message);
 }
 
@@ -86,15 +84,15 @@ void StepMaker::find_legs(Making& now) {
   std::vector<Leg>& legs = now.legs;
   const TipMarks& tip = now.tip;
   if (shifts_system_) shift_system(now);
-  legs = interpreter_.legs(command, tip.directed, tip.starts, now.stages.takes_arc_about_its_start(command));
+  legs = interpreter_.legs(command, tip.directed, tip.starts, now.passes.takes_arc_about_its_start(command));
   const Leg start = tool_offset_.shifted(interpreter_.stay(command));
   if (command.cycle.on)
     tool_offset_.store_number(command.codes);
   else
     tool_offset_.apply(command, interpreter_,
                        {command.codes.h.value_or(length_.number()), length_.axis_mode(command.codes.length)}, legs);
-  now.stages.add_way(now.words,
-                     {start, legs, [this](const Position& position) { return tip_control_.at(position).tool; }});
+  now.passes.see({start, legs, [this](const Position& position) { return tip_control_.at(position).tool; }},
+                 now.step.words);
   now.machine = tip.tip_control || (!legs.empty() && goes_by_machine_coordinates(command.codes.one_shot));
   if (!shifts_system_) now.plan = length_.plan(length_command(command));
   if (!shifts_system_ && !tip.tip_control && now.plan.changed)
@@ -120,8 +118,8 @@ void StepMaker::shift_system(Making& now) {
   if (now.plan.on_way.axis == before.axis) return;
   recorder_.decide(Clause::fanuc_length_offset_shifted_system, true);
   if (now.compensates)
-    leave_open_here(now, {Clause::fanuc_length_offset_shifted_in_compensation,
-                          "a length offset shifts the coordinate system while a compensation is on"});
+    leave_open_here({Clause::fanuc_length_offset_shifted_in_compensation,
+                     "a length offset shifts the coordinate system while a compensation is on"});
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     const Rational change = now.plan.on_way.axis.at(i) - before.axis.at(i);
     if (change != 0) interpreter_.stand(i, interpreter_.position().at(i) - Coordinate(change));
@@ -222,7 +220,7 @@ void StepMaker::arrive(Making& now) {
 }
 
 void StepMaker::add_rest(Making& now) {
-  if (!Pipeline::has_words(now.words)) return;
+  if (!now.step.words.any()) return;
   // A move inserted behind G53 or a reference return is no move of that code; under tool center point control every
   // move has machine coordinates, and the leading edge offset inserts some even where G41 or G40 came before it.
   const Leg rest = tool_offset_.shifted(interpreter_.stay(now.command));
@@ -237,9 +235,7 @@ void StepMaker::complete(Making& now) {
   step.has_word = now.command.codes.any;
   step.stops_look_ahead = now.command.codes.stops_look_ahead;
   step.ends_program = now.command.codes.ends_program;
-  now.stages.complete(now.words, step);
   if (with_motion_) step.zero = zero();
-  step.words.assign(now.words.begin(), now.words.end());
   step.clauses = recorder_.take_clauses();
 }
 

@@ -8,9 +8,9 @@
 
 #include "model/basis/recorder.h"
 #include "model/fanuc/canned_cycle/canned_cycle.h"
+#include "model/fanuc/passes/passes.h"
 #include "model/fanuc/program/interpreter.h"
 #include "model/fanuc/program/offset_memory.h"
-#include "model/fanuc/program/pipeline.h"
 #include "model/fanuc/program/step.h"
 #include "model/fanuc/tool_center_point_control/tool_center_point_control.h"
 #include "model/fanuc/tool_length_measurement/rules.h"
@@ -32,9 +32,9 @@ class StepMaker {
   // spec::InputError for a setup the control could not have.
   StepMaker(const spec::Setup& setup, OffsetMemory& memory, Recorder& recorder, bool with_motion);
 
-  // The next block. `stages` have taken all steps before it. Throws Alarm or LeftOpen as reading and the words of the
+  // The next block. `passes` have taken all steps before it. Throws Alarm or LeftOpen as reading and the words of the
   // block raise them, in their fixed order; then the block makes nothing.
-  Step make(const spec::Block& block, Pipeline& stages);
+  Step make(const spec::Block& block, Passes& passes);
   // What positions are counted from now.
   [[nodiscard]] const SharedZero& zero() const { return interpreter_.work().zero(); }
 
@@ -42,10 +42,9 @@ class StepMaker {
   // A block in the making.
   struct Making {
     const Command& command;
-    Pipeline& stages;
+    Passes& passes;
     TipMarks tip;
     bool compensates = false;  // by radius, before or after it
-    Pipeline::Words words;
     std::vector<Leg> legs;
     LengthPlan plan;
     bool machine = false;  // its moves have machine coordinates
@@ -64,8 +63,8 @@ class StepMaker {
   void write_offset(Step& step);
   // A block in the drilling mode of canned cycles, where its words allow it.
   void check_cycle(Making& now);
-  // The specification leaves the block open: what is held goes out as if it were absent.
-  [[noreturn]] void leave_open_here(Making& now, const LeftOpen& open);
+  // The specification leaves the block open, by this clause alone.
+  [[noreturn]] void leave_open_here(const LeftOpen& open);
 
   // The move of a leg, with what the length offset and the tool say about its end.
   [[nodiscard]] Move move(const Leg& leg, const LengthVector& offset, const ToolAtEnd& tool, bool machine) const;

@@ -5,8 +5,9 @@
 #include <utility>
 
 #include "model/basis/alarm.h"
+#include "model/basis/window.h"
 #include "model/heidenhain/face_milling/face_milling.h"
-#include "model/heidenhain/peripheral_milling/peripheral_milling.h"
+#include "model/heidenhain/peripheral_milling/rules.h"
 #include "model/heidenhain/program/interpreter.h"
 #include "model/heidenhain/program/report.h"
 #include "model/heidenhain/program/tool_checks.h"
@@ -25,8 +26,9 @@ spec::Setup checked(const spec::Setup& setup) {
 
 }  // namespace
 
-// A block is read and executed; if it moves, its tool is checked, the motion held goes out, and one of four rules
-// applies: face milling (a normal), peripheral milling (RL, RR under TCPM), out of scope (RL, RR without), none.
+// A block is read and executed. If it moves, its tool is checked, and one of four rules applies: face milling (a
+// normal), peripheral milling (RL, RR under TCPM), out of scope (RL, RR without), none. The end of a peripheral motion
+// depends on the motion that follows it, so it waits in a window for that one.
 struct Engine::State {
   State(const spec::Setup& given, Recorder& the_recorder, EventSink& the_sink)
       : setup(checked(given)),
@@ -35,20 +37,33 @@ struct Engine::State {
         interpreter(setup, recorder),
         checks(recorder),
         face(recorder),
-        peripheral(recorder, [this](const Motion& motion, const Compensated& end) { report(motion, end); }) {}
+        peripheral(recorder) {}
+
+  struct Planned {
+    Motion motion;
+    std::optional<FaceContact> contact;
+    std::optional<DrilledHole> hole;
+
+    [[nodiscard]] bool is_peripheral() const { return !hole && motion.is_peripheral(); }
+  };
 
   void run(const spec::klartext::Block& block);
-  void run(Motion motion);
-  void drill(DrilledHole hole);
-  [[nodiscard]] Compensated uncompensated(const Motion& motion) const;
+  void plan(Motion motion);
+  void plan(const DrilledHole& hole);
+  // The motions go out as soon as what they need is known.
+  void report_made();
+  void make(Planned& now, const Motion* next);
+  void make_peripheral(Motion& motion, const Motion* next, bool first);
+  void make_hole(DrilledHole& hole);
   Compensated compensated(Motion& motion, const std::optional<FaceContact>& contact);
-  // What is held goes out as if nothing followed.
+  [[nodiscard]] Compensated uncompensated(const Motion& motion) const;
+  // What waits goes out as if nothing followed.
   void finish() {
-    peripheral.finish();
+    window.end();
+    report_made();
     stopped = true;
   }
-  void report(const Motion& motion, const Compensated& end) { report_move(motion, end, setup, sink); }
-  // Runs `work`, and ends the run where it raises an alarm or cannot decide.
+  // Runs `work`, and ends the run if it raises an alarm or cannot decide.
   template <class Work>
   void guarded(const Work& work);
   void fail(const Alarm& alarm);
@@ -59,8 +74,11 @@ struct Engine::State {
   Interpreter interpreter;
   ToolChecks checks;
   FaceMilling face;
-  PeripheralMilling peripheral;
-  Place current;  // the block being executed
+  PeripheralRules peripheral;
+  Window<Planned> window;
+  bool on = false;                         // the last motion was compensated by peripheral milling
+  std::optional<LateralDirection> former;  // made last, since the first compensated block
+  Place current;                           // the block being executed
   bool stopped = false;
 };
 
@@ -90,12 +108,12 @@ void Engine::State::guarded(const Work& work) {
   }
 }
 
-// The motion held is at fault before the block that follows it.
+// A motion that waits is at fault before the block that follows it.
 void Engine::State::fail(const Alarm& alarm) {
   stopped = true;
   const spec::ClauseList clauses = recorder.take_clauses();
   guarded([&] {
-    peripheral.finish();
+    finish();
     report_alarm(alarm, spec::AlarmNumbers(setup), current, clauses, sink);
   });
 }
@@ -105,30 +123,51 @@ void Engine::State::run(const spec::klartext::Block& block) {
   recorder.at(block.line);
   std::optional<Motion> motion = interpreter.read(block);
   if (interpreter.tool_call()) face.forget();
-  if (motion) run(*std::move(motion));
-  if (interpreter.hole()) drill(*interpreter.hole());
+  if (motion) plan(*std::move(motion));
+  if (interpreter.hole()) plan(*interpreter.hole());
   // heidenhain.program.end: M2, M30 and END PGM end the program after their block, and so does the end of the text.
   const bool ends = recorder.decide(Clause::heidenhain_program_end, interpreter.ends());
   recorder.take_clauses();  // of a block without an event
   if (ends) finish();
 }
 
-void Engine::State::run(Motion motion) {
+void Engine::State::plan(Motion motion) {
   std::optional<FaceContact> contact;
   if (motion.normal)
     contact = face.check(motion);
   else if (motion.vectors || motion.is_peripheral())
     checks.without_normal(motion);
-  motion.clauses = recorder.take_clauses();  // the motion held has its own
-  peripheral.meet(motion);
   if (!contact) face.forget();
+  motion.clauses = recorder.take_clauses();
+  window.push({std::move(motion), std::move(contact), {}});
+  report_made();
+}
 
-  if (motion.is_peripheral()) {
-    peripheral.take(std::move(motion));
-    return;
+// A motion as any under R0, for whatever waits for one.
+void Engine::State::plan(const DrilledHole& hole) {
+  face.forget();
+  window.push({hole.motion, {}, hole});
+  window.back().motion.clauses = recorder.take_clauses();
+  report_made();
+}
+
+void Engine::State::report_made() {
+  while (!window.empty()) {
+    const bool waits = window.front().is_peripheral() && window.following() == 0;
+    if (waits && !window.ended()) return;
+    const Motion* const next = window.following() == 0 ? nullptr : &window.after(0).motion;
+    Planned now = window.pop();
+    recorder.at(now.motion.line);
+    recorder.resume(std::move(now.motion.clauses));
+    make(now, next);
   }
-  recorder.resume(std::move(motion.clauses));
-  const bool cancels = peripheral.pass();
+}
+
+void Engine::State::make(Planned& now, const Motion* next) {
+  Motion& motion = now.motion;
+  const bool before = std::exchange(on, now.is_peripheral());
+  if (now.hole) return make_hole(*now.hole);
+  if (on) return make_peripheral(motion, next, !before);
   if (motion.is_out_of_scope()) {
     // heidenhain.peripheral.out-of-scope: RL or RR without TCPM, in an L block or an LN block without a normal, is the
     // ordinary compensation in the plane by the full radius, which is not modelled. In place of the move there is an
@@ -141,8 +180,8 @@ void Engine::State::run(Motion motion) {
   // heidenhain.program.length-along-the-tool: DL acts along the tool vector T. The axes of an event are the tip of a
   // tool of exactly the table length. The real tool is displaced by dL t from where it would be without deltas.
   recorder.reach(Clause::heidenhain_program_length_along_the_tool);
-  Compensated end = compensated(motion, contact);
-  if (cancels) {
+  Compensated end = compensated(motion, now.contact);
+  if (before) {
     // heidenhain.peripheral.cancel: The first block that moves after the last compensated block goes straight to its
     // own end point, and its move has the cause cancel. If that block is out of scope, it is the cancel block, but it
     // makes no move.
@@ -150,16 +189,33 @@ void Engine::State::run(Motion motion) {
     end.cause = spec::Cause::cancel;
   }
   motion.clauses = recorder.take_clauses();
-  report(motion, end);
+  report_move(motion, end, setup, sink);
 }
 
-// A motion as any under R0, for whatever waits for one.
-void Engine::State::drill(DrilledHole hole) {
-  hole.motion.clauses = recorder.take_clauses();
-  peripheral.meet(hole.motion);
-  peripheral.pass();
-  face.forget();
-  recorder.resume(std::move(hole.motion.clauses));
+// Compensated perpendicular to movement and tool. `next`: the motion that follows, if one does.
+void Engine::State::make_peripheral(Motion& motion, const Motion* next, bool first) {
+  Compensated result;
+  try {
+    // heidenhain.program.length-along-the-tool: DL acts along the tool vector T. The axes of an event are the tip of a
+    // tool of exactly the table length. The real tool is displaced by dL t from where it would be without deltas.
+    recorder.reach(Clause::heidenhain_program_length_along_the_tool);
+    PeripheralEnd made = peripheral.compensate(motion, next, first, former);
+    result = std::move(made.end);
+    former = std::move(made.latest);
+  } catch (Alarm& alarm) {
+    alarm.line = motion.line;
+    alarm.n = motion.n;
+    alarm.unmade = unmade(motion);
+    window.clear();
+    throw;
+  }
+  if (next == nullptr || !next->is_peripheral()) former.reset();
+  result.cause = first ? spec::Cause::start_up : spec::Cause::programmed;
+  motion.clauses = recorder.take_clauses();
+  report_move(motion, result, setup, sink);
+}
+
+void Engine::State::make_hole(DrilledHole& hole) {
   // heidenhain.program.length-along-the-tool: DL acts along the tool vector T. The axes of an event are the tip of a
   // tool of exactly the table length. The real tool is displaced by dL t from where it would be without deltas.
   recorder.reach(Clause::heidenhain_program_length_along_the_tool);

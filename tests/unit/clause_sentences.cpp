@@ -186,7 +186,7 @@ std::vector<std::string> unsaid(const std::set<std::string>& marked, const std::
 }
 
 std::vector<std::string> faults_of_rules(const std::string& text) {
-  static const std::regex kState(R"(\b(Step|Move|Stage|StageOf|StageWords)\b)");
+  static const std::regex kState(R"(\b(Step|Move|Pass|StepWords)\b)");
   const std::vector<std::string> lines = lines_of(text);
   std::vector<std::string> faults = unruly(lines);
   for (std::string& fault : unsaid(marked(text), said(text))) faults.push_back(std::move(fault));

@@ -6,11 +6,11 @@
 #include <optional>
 
 #include "model/fanuc/program/cutter_offset.h"
-#include "model/fanuc/program/stage.h"
+#include "model/fanuc/program/pass.h"
 
 namespace toolcomp::model {
 
-struct CornerBlock : StageWords {
+struct CornerBlock {
   std::optional<CutterSide> code;         // a word of the section's codes, or G40
   CutterSide before = CutterSide::none;   // side in force before the block
   CutterSide side = CutterSide::none;     // and at its end

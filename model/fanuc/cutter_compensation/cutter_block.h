@@ -25,7 +25,7 @@ enum class PlaneMotion : std::uint8_t {
 
 // What a block says to cutter compensation B and C. Plane coordinates (first and second axis of the block's plane,
 // setup units), tool offset G45–G48 included, before compensation.
-struct CutterBlock final : CornerBlock {
+struct CutterBlock : CornerBlock {
   // The words.
   OneShot one_shot = OneShot::none;     // G39, G92 …
   std::uint32_t number_before = 0;      // offset number in force before the block

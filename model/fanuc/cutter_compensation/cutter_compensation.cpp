@@ -6,21 +6,22 @@
 namespace toolcomp::model {
 
 CutterCompensation::CutterCompensation(const Place& place)
-    : StageOf(place), words_(place.setup, place.memory, place.recorder) {}
+    : Pass(place), words_(place.setup, place.memory, place.recorder) {}
 
 bool CutterCompensation::on_after(const Command& command) const {
   return wanted(words_.side_after(command), words_.number_after(command));
 }
 
-std::shared_ptr<StageWords> CutterCompensation::read(const StageCommand& now) {
-  std::shared_ptr<CutterBlock> block = words_.read(now);
-  if (!block) return nullptr;
-  check(*block);
-  words_.add_value(*block);
-  return block;
+void CutterCompensation::read(const BlockWords& now, StepWords& words) {
+  words.cutter = words_.read(now);
+  if (!words.cutter) return;
+  check(*words.cutter);
+  words_.add_value(*words.cutter);
 }
 
-void CutterCompensation::add_way(StageWords& words, const BlockWay& way) const { words_.add_movement(own(words), way); }
+void CutterCompensation::see(const BlockWay& way, StepWords& words) const {
+  if (words.cutter) words_.add_movement(*words.cutter, way);
+}
 
 void CutterCompensation::check_common(const CutterBlock& words) const {
   const bool in_force = words.side != CutterSide::none;

@@ -1,28 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// What cutter compensation B and C have in common as stages.
+// What cutter compensation B and C have in common as passes.
 #pragma once
 
 #include <cstdint>
-#include <memory>
 
 #include "model/fanuc/cutter_compensation/cutter_block.h"
 #include "model/fanuc/cutter_compensation/cutter_words.h"
-#include "model/fanuc/program/stage.h"
+#include "model/fanuc/program/pass.h"
 
 namespace toolcomp::model {
 
 // Hands on every move with its compensation vector (Move::offset), the moves that belong to a block but are inserted
 // before its own move (cause start-up, corner or cancel), arcs as the tool runs them. Clauses: fanuc.cutter.*; on():
 // fanuc.cutter.on.
-class CutterCompensation : public StageOf<CutterBlock> {
+class CutterCompensation : public Pass {
  public:
   explicit CutterCompensation(const Place& place);
 
   [[nodiscard]] Extent extent() const final { return Extent::plane; }
   [[nodiscard]] bool on_after(const Command& command) const final;
   // From the first G41, G42 or G39 of a program on.
-  std::shared_ptr<StageWords> read(const StageCommand& now) final;
-  void add_way(StageWords& words, const BlockWay& way) const final;
+  void read(const BlockWords& now, StepWords& words) final;
+  void see(const BlockWay& way, StepWords& words) const final;
 
  protected:
   // With this side and this number in force compensation is on, unless a vector holds it on anyway.

@@ -70,7 +70,7 @@ std::uint32_t CutterWords::number_after(const Command& command) const {
   return offset_.number_after(command.codes).number;
 }
 
-std::shared_ptr<CutterBlock> CutterWords::read(const StageCommand& now) {
+std::shared_ptr<CutterBlock> CutterWords::read(const BlockWords& now) {
   const Command& command = now.command;
   const Codes& codes = command.codes;
   auto result = std::make_shared<CutterBlock>();

@@ -23,7 +23,7 @@ class CutterWords {
 
   // What the block says, without the value of its number and its movement; nothing before the first G41,
   // G42 or G39 of the program.
-  [[nodiscard]] std::shared_ptr<CutterBlock> read(const StageCommand& now);
+  [[nodiscard]] std::shared_ptr<CutterBlock> read(const BlockWords& now);
   // The value in force at the end of the block. Throws Alarm PS0029.
   void add_value(CutterBlock& block);
   // Its movement.

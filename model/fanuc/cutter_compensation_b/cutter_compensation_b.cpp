@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
+// Cutter compensation B: G40, G41, G42 and G39.
 #include "model/fanuc/cutter_compensation_b/cutter_compensation_b.h"
 
+#include <optional>
 #include <utility>
 
 #include "model/basis/alarm.h"
+#include "model/fanuc/cutter_compensation/cutter_compensation.h"
+#include "model/fanuc/cutter_compensation_b/rules.h"
 #include "model/geometry/plane_vector.h"
+#include "spec/language/setup.h"
 
 namespace toolcomp::model {
 namespace {
@@ -17,173 +22,197 @@ void run_on(spec::Arc<Real>& arc, const HeadArc& way) {
   arc.radius = way.radius;
 }
 
-}  // namespace
+// Every block by itself, without look-ahead: the tool goes from head to head. Clauses: fanuc.cutter-b.*.
+class CutterCompensationB : public CutterCompensation {
+ public:
+  explicit CutterCompensationB(const Place& place)
+      : CutterCompensation(place), axes_(place.setup.axes), rules_(place.recorder) {}
 
-CutterCompensationB::CutterCompensationB(const Place& place)
-    : CutterCompensation(place), axes_(place.setup.axes), rules_(place.recorder) {}
-
-void CutterCompensationB::check(const CutterBlock& words) const {
-  check_common(words);
-  if (words.one_shot == OneShot::corner_arc) check_corner_arc(words);
-  if (words.arc_words) check_arc(words);
-}
-
-void CutterCompensationB::check_corner_arc(const CutterBlock& words) const {
-  const bool forbidden = words.code || changes_number(words) || words.axis_word_outside;
-  // fanuc.cutter-b.corner-arc-format: G39 raises PS0035 while the mode is off or no start-up has been made; with G40,
-  // G41, G42 or a word that gives the cutter another number in its block; with an axis word outside the plane; with a
-  // direction that is zero or missing.
-  if (!on() || !started_ || forbidden || !words.direction || is_zero(*words.direction))
-    raise(recorder(), Clause::fanuc_cutter_b_corner_arc_format, AlarmCause::corner_arc);
-}
-
-void CutterCompensationB::check_arc(const CutterBlock& words) const {
-  const bool is_on = words.side != CutterSide::none;
-  // fanuc.cutter-b.arc-with-code: G41 or G42 in a block that is an arc raises PS0034, even if the code is repeated. A
-  // block is an arc if G02 or G03 is in force, it has no code of group 00, and it has an axis word of the plane, I, J,
-  // K or R.
-  if (is_on && words.code) raise(recorder(), Clause::fanuc_cutter_b_arc_with_code, AlarmCause::arc_at_start_or_cancel);
-  // fanuc.cutter-b.arc-with-number: In a block that is an arc while the mode is on, a word that gives the cutter
-  // another number than the one in force raises PS0034.
-  if (is_on && changes_number(words))
-    raise(recorder(), Clause::fanuc_cutter_b_arc_with_number, AlarmCause::arc_at_start_or_cancel);
-  // fanuc.cutter-b.arc-at-start-up: An arc as the first block that would make a vector (the start-up) raises PS0034.
-  if (is_on && !started_) raise(recorder(), Clause::fanuc_cutter_b_arc_at_start_up, AlarmCause::arc_at_start_or_cancel);
-  // fanuc.cutter-b.arc-at-cancel: G40 in a block that is an arc raises PS0034 while the vector is not zero; a zero
-  // vector leaves the arc as programmed.
-  if (!is_on && on() && recorder().decide(Clause::fanuc_cutter_b_arc_at_cancel, !is_zero(vector_)))
-    throw Alarm(AlarmCause::arc_at_start_or_cancel);
-}
-
-void CutterCompensationB::take(const Step& step) {
-  if (!has_words(step)) {
-    hand_on(step);
-    return;
+  [[nodiscard]] int look_ahead() const override { return 0; }
+  [[nodiscard]] bool on() const override { return side_ != CutterSide::none; }
+  void take(Step step) override { taken_ = std::move(step); }
+  void end() override {}
+  // Throws Alarm PS0038.
+  std::optional<Step> next() override {
+    std::optional<Step> step = std::exchange(taken_, std::nullopt);
+    if (!step || !step->words.cutter) return step;
+    run(*step);
+    side_ = step->words.cutter->side;
+    step->clauses.add(recorder().take_clauses());
+    return step;
   }
-  Step out = step;
-  run(out);
-  side_ = said(step).side;
-  out.clauses.add(recorder().take_clauses());
-  hand_on(out);
-}
 
-void CutterCompensationB::run(Step& step) {
-  const CutterBlock& block = said(step);
-  if (block.side == CutterSide::none) {
-    if (on()) cancel(step);
-    return;
+ private:
+  [[nodiscard]] bool wanted(CutterSide side, std::uint32_t /*number*/) const override {
+    return side != CutterSide::none;
   }
-  // fanuc.cutter-b.mode: The mode is on from the block with G41 or G42 to the block with G40.
-  // fanuc.cutter-b.switch: A change from G41 to G42, or from G42 to G41, needs no G40 between. The next vector that is
-  // made is on the new side; it is made in the same block if that block is a straight one. A repeated code changes
-  // nothing.
-  if (!on())
-    recorder().reach(Clause::fanuc_cutter_b_mode);
-  else if (block.code)
-    recorder().decide(Clause::fanuc_cutter_b_switch, block.side != block.before);
-  // fanuc.cutter-b.number-changed: A new number while the mode is on counts for the next vector that is made, which is
-  // in the same block if that block is a straight one. A vector that is kept keeps its length.
-  if (on() && block.number_given) recorder().decide(Clause::fanuc_cutter_b_number_changed, changes_number(block));
-  if (block.one_shot == OneShot::corner_arc) {
-    corner_arc(step);
-    return;
+  // Throws Alarm PS0028, PS0037, FORBIDDEN_IN_CUTTER_COMPENSATION, PS0042, PS0035 or PS0034.
+  void check(const CutterBlock& words) const override {
+    check_common(words);
+    if (words.one_shot == OneShot::corner_arc) check_corner_arc(words);
+    if (words.arc_words) check_arc(words);
   }
-  switch (block.motion) {
-    case PlaneMotion::none:
-      // fanuc.cutter-b.kept: A block that has no axis word of the plane and is not an arc keeps the vector, whatever
-      // else it moves. I, J and K in it mean nothing.
-      recorder().reach(Clause::fanuc_cutter_b_kept);
-      keep(step);
-      break;
-    case PlaneMotion::zero_travel:
-    case PlaneMotion::line:
-      line(step);
-      break;
-    case PlaneMotion::arc:
-      arc(step);
-      break;
-    case PlaneMotion::machine_coordinates:
-    case PlaneMotion::reference:
-    case PlaneMotion::from_reference:
-      machine_position(step);
-      break;
+
+  void check_corner_arc(const CutterBlock& words) const {
+    const bool forbidden = words.code || changes_number(words) || words.axis_word_outside;
+    // fanuc.cutter-b.corner-arc-format: G39 raises PS0035 while the mode is off or no start-up has been made; with G40,
+    // G41, G42 or a word that gives the cutter another number in its block; with an axis word outside the plane; with a
+    // direction that is zero or missing.
+    if (!on() || !started_ || forbidden || !words.direction || is_zero(*words.direction))
+      raise(recorder(), Clause::fanuc_cutter_b_corner_arc_format, AlarmCause::corner_arc);
   }
-}
 
-void CutterCompensationB::keep(Step& step) const {
-  for (Move& move : step.moves) move.offset = in_space(said(step).plane, vector_);
-}
+  void check_arc(const CutterBlock& words) const {
+    const bool is_on = words.side != CutterSide::none;
+    // fanuc.cutter-b.arc-with-code: G41 or G42 in a block that is an arc raises PS0034, even if the code is repeated. A
+    // block is an arc if G02 or G03 is in force, it has no code of group 00, and it has an axis word of the plane, I,
+    // J, K or R.
+    if (is_on && words.code)
+      raise(recorder(), Clause::fanuc_cutter_b_arc_with_code, AlarmCause::arc_at_start_or_cancel);
+    // fanuc.cutter-b.arc-with-number: In a block that is an arc while the mode is on, a word that gives the cutter
+    // another number than the one in force raises PS0034.
+    if (is_on && changes_number(words))
+      raise(recorder(), Clause::fanuc_cutter_b_arc_with_number, AlarmCause::arc_at_start_or_cancel);
+    // fanuc.cutter-b.arc-at-start-up: An arc as the first block that would make a vector (the start-up) raises PS0034.
+    if (is_on && !started_)
+      raise(recorder(), Clause::fanuc_cutter_b_arc_at_start_up, AlarmCause::arc_at_start_or_cancel);
+    // fanuc.cutter-b.arc-at-cancel: G40 in a block that is an arc raises PS0034 while the vector is not zero; a zero
+    // vector leaves the arc as programmed.
+    if (!is_on && on() && recorder().decide(Clause::fanuc_cutter_b_arc_at_cancel, !is_zero(vector_)))
+      throw Alarm(AlarmCause::arc_at_start_or_cancel);
+  }
 
-// G40: the vector goes at once, in the block's own move or in one back to the programmed point.
-void CutterCompensationB::cancel(Step& step) {
-  const CutterBlock& block = said(step);
-  const Removal removal = rules_.removal(block, started_, vector_);
-  // Beside G52 and G92 the only move there can be is that of the length offset.
-  if (removal == Removal::alone && (step.moves.empty() || is_shift(block.one_shot))) step.moves = {step.rest};
-  vector_ = {};
-  started_ = false;
-  // Machine and reference positions keep the causes of their moves.
-  const bool by_path = block.motion == PlaneMotion::none || block.motion == PlaneMotion::zero_travel ||
-                       block.motion == PlaneMotion::line || block.motion == PlaneMotion::arc;
-  if (removal != Removal::none && by_path)
-    for (Move& move : step.moves) move.leg.cause = spec::Cause::cancel;
-}
-
-void CutterCompensationB::line(Step& step) {
-  if (const auto made = rules_.at_end_of_line(said(step))) {
-    vector_ = *made;
-    if (!std::exchange(started_, true)) {
-      // fanuc.cutter-b.start-up: The first vector made after the mode began, or after G28, G29, G30, G30.1 or G53 took
-      // the vector away, is the start-up. Its block is a straight one, and the own move of that block has the cause
-      // start-up. Blocks before it have no vector.
-      recorder().reach(Clause::fanuc_cutter_b_start_up);
-      step.moves.front().leg.cause = spec::Cause::start_up;
+  void run(Step& step) {
+    const CutterBlock& block = *step.words.cutter;
+    if (block.side == CutterSide::none) {
+      if (on()) cancel(step);
+      return;
+    }
+    // fanuc.cutter-b.mode: The mode is on from the block with G41 or G42 to the block with G40.
+    // fanuc.cutter-b.switch: A change from G41 to G42, or from G42 to G41, needs no G40 between. The next vector that
+    // is made is on the new side; it is made in the same block if that block is a straight one. A repeated code changes
+    // nothing.
+    if (!on())
+      recorder().reach(Clause::fanuc_cutter_b_mode);
+    else if (block.code)
+      recorder().decide(Clause::fanuc_cutter_b_switch, block.side != block.before);
+    // fanuc.cutter-b.number-changed: A new number while the mode is on counts for the next vector that is made, which
+    // is in the same block if that block is a straight one. A vector that is kept keeps its length.
+    if (on() && block.number_given) recorder().decide(Clause::fanuc_cutter_b_number_changed, changes_number(block));
+    if (block.one_shot == OneShot::corner_arc) {
+      corner_arc(step);
+      return;
+    }
+    switch (block.motion) {
+      case PlaneMotion::none:
+        // fanuc.cutter-b.kept: A block that has no axis word of the plane and is not an arc keeps the vector, whatever
+        // else it moves. I, J and K in it mean nothing.
+        recorder().reach(Clause::fanuc_cutter_b_kept);
+        keep(step);
+        break;
+      case PlaneMotion::zero_travel:
+      case PlaneMotion::line:
+        line(step);
+        break;
+      case PlaneMotion::arc:
+        arc(step);
+        break;
+      case PlaneMotion::machine_coordinates:
+      case PlaneMotion::reference:
+      case PlaneMotion::from_reference:
+        machine_position(step);
+        break;
     }
   }
-  keep(step);
-}
 
-void CutterCompensationB::arc(Step& step) {
-  const CutterBlock& block = said(step);
-  const PlanePoint& center = block.arc->center;
-  const PlanePoint from = block.start + vector_ - center;
-  vector_ = rules_.at_end_of_arc(block);
-  keep(step);
-  run_on(*step.moves.front().leg.arc, rules_.head_to_head(block.arc_direction, from, block.end - center + vector_));
-}
-
-// G39: about the programmed point, from the old vector to the new one.
-void CutterCompensationB::corner_arc(Step& step) {
-  const CutterBlock& block = said(step);
-  const CornerArcOfB made = rules_.corner_arc(block, vector_);
-  vector_ = made.vector;
-  if (made.moves) {
-    Move move = step.rest;
-    move.leg.type = spec::MoveType::arc;
-    move.leg.cause = spec::Cause::corner;
-    spec::Arc<Real>& arc = move.leg.arc.emplace();
-    arc.plane = block.plane;
-    arc.direction = made.direction;
-    const PlaneLetters in_plane = letters(block.plane);
-    const Vector center = in_space(block.plane, block.start);
-    for (const char letter : {in_plane.first, in_plane.second})
-      arc.center.set(axes_.index(letter), component(center, space_index(letter)));
-    run_on(arc, made.way);
-    step.moves = {std::move(move)};
+  void keep(Step& step) const {
+    for (Move& move : step.moves) move.offset = in_space(step.words.cutter->plane, vector_);
   }
-  keep(step);
-}
 
-// G53, G28, G30, G29: the vector goes in the first move where an axis of the plane is named.
-void CutterCompensationB::machine_position(Step& step) {
-  // fanuc.cutter-b.machine-position: G28, G29, G30, G30.1 and G53 take the whole vector away if they name an axis of
-  // the plane. The vector goes in the first of their moves, the one to the intermediate point. The mode stays on, and
-  // the next vector that is made is a start-up.
-  if (recorder().decide(Clause::fanuc_cutter_b_machine_position, said(step).has_plane_word())) {
+  // G40: the vector goes at once, in the block's own move or in one back to the programmed point.
+  void cancel(Step& step) {
+    const CutterBlock& block = *step.words.cutter;
+    const Removal removal = rules_.removal(block, started_, vector_);
+    // Beside G52 and G92 the only move there can be is that of the length offset.
+    if (removal == Removal::alone && (step.moves.empty() || is_shift(block.one_shot))) step.moves = {step.rest};
     vector_ = {};
     started_ = false;
+    // Machine and reference positions keep the causes of their moves.
+    const bool by_path = block.motion == PlaneMotion::none || block.motion == PlaneMotion::zero_travel ||
+                         block.motion == PlaneMotion::line || block.motion == PlaneMotion::arc;
+    if (removal != Removal::none && by_path)
+      for (Move& move : step.moves) move.leg.cause = spec::Cause::cancel;
   }
-  keep(step);
+
+  void line(Step& step) {
+    if (const auto made = rules_.at_end_of_line(*step.words.cutter)) {
+      vector_ = *made;
+      if (!std::exchange(started_, true)) {
+        // fanuc.cutter-b.start-up: The first vector made after the mode began, or after G28, G29, G30, G30.1 or G53
+        // took the vector away, is the start-up. Its block is a straight one, and the own move of that block has the
+        // cause start-up. Blocks before it have no vector.
+        recorder().reach(Clause::fanuc_cutter_b_start_up);
+        step.moves.front().leg.cause = spec::Cause::start_up;
+      }
+    }
+    keep(step);
+  }
+
+  void arc(Step& step) {
+    const CutterBlock& block = *step.words.cutter;
+    const PlanePoint& center = block.arc->center;
+    const PlanePoint from = block.start + vector_ - center;
+    vector_ = rules_.at_end_of_arc(block);
+    keep(step);
+    run_on(*step.moves.front().leg.arc, rules_.head_to_head(block.arc_direction, from, block.end - center + vector_));
+  }
+
+  // G39: about the programmed point, from the old vector to the new one.
+  void corner_arc(Step& step) {
+    const CutterBlock& block = *step.words.cutter;
+    const CornerArcOfB made = rules_.corner_arc(block, vector_);
+    vector_ = made.vector;
+    if (made.moves) {
+      Move move = step.rest;
+      move.leg.type = spec::MoveType::arc;
+      move.leg.cause = spec::Cause::corner;
+      spec::Arc<Real>& arc = move.leg.arc.emplace();
+      arc.plane = block.plane;
+      arc.direction = made.direction;
+      const PlaneLetters in_plane = letters(block.plane);
+      const Vector center = in_space(block.plane, block.start);
+      for (const char letter : {in_plane.first, in_plane.second})
+        arc.center.set(axes_.index(letter), component(center, space_index(letter)));
+      run_on(arc, made.way);
+      step.moves = {std::move(move)};
+    }
+    keep(step);
+  }
+
+  // G53, G28, G30, G29: the vector goes in the first move where an axis of the plane is named.
+  void machine_position(Step& step) {
+    // fanuc.cutter-b.machine-position: G28, G29, G30, G30.1 and G53 take the whole vector away if they name an axis of
+    // the plane. The vector goes in the first of their moves, the one to the intermediate point. The mode stays on, and
+    // the next vector that is made is a start-up.
+    if (recorder().decide(Clause::fanuc_cutter_b_machine_position, step.words.cutter->has_plane_word())) {
+      vector_ = {};
+      started_ = false;
+    }
+    keep(step);
+  }
+
+  std::optional<Step> taken_;
+  spec::Axes axes_;
+  CutterBRules rules_;
+  CutterSide side_ = CutterSide::none;  // group 07 in force
+  bool started_ = false;                // the start-up is made
+  PlanePoint vector_;                   // in force
+};
+
+}  // namespace
+
+std::unique_ptr<Pass> cutter_compensation_b(const Pass::Place& place) {
+  return std::make_unique<CutterCompensationB>(place);
 }
 
 }  // namespace toolcomp::model

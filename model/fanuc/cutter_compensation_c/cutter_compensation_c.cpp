@@ -1,320 +1,478 @@
 // SPDX-License-Identifier: Apache-2.0
+// Cutter compensation C: G40, G41, G42 and G39. A pass over the blocks in order, each with those that follow it.
+//
+// A block is first planned: what it is to the mode (mode.h). Its moves are made as soon as the next block that moves in
+// the plane is known, or that there is none near enough. spec/formal/program/CutterC.v has the same functions.
 #include "model/fanuc/cutter_compensation_c/cutter_compensation_c.h"
 
-#include <memory>
 #include <utility>
-#include <vector>
 
 #include "model/basis/alarm.h"
+#include "model/basis/window.h"
+#include "model/fanuc/cutter_compensation/cutter_compensation.h"
+#include "model/fanuc/cutter_compensation_c/mode.h"
+#include "model/fanuc/cutter_compensation_c/rules.h"
+#include "model/fanuc/passes/corner_moves.h"
+#include "model/fanuc/passes/interference_check.h"
+#include "model/fanuc/program/blocks_read.h"
+#include "model/geometry/arc.h"
+#include "spec/language/setup.h"
 
 namespace toolcomp::model {
 namespace {
 
-bool is_machine_move(PlaneMotion motion) {
-  return motion == PlaneMotion::machine_coordinates || motion == PlaneMotion::reference ||
-         motion == PlaneMotion::from_reference;
+// A block that makes a corner with the block that ends there.
+bool makes_corner(CutterPart part) {
+  return part == CutterPart::moving || part == CutterPart::cancel || part == CutterPart::way_to_intermediate;
 }
 
-// G52 or G92 of the plane.
-bool shifts_plane(const CutterBlock& block) { return is_shift(block.one_shot) && block.has_plane_word(); }
+// A block of the plane between two vectors.
+CheckedPath between_vectors(Recorder& recorder, spec::Plane plane, const OffsetPath& path) {
+  const auto change = [plane](const Vector& from, const Vector& to) {
+    return in_plane_of(plane, to) - in_plane_of(plane, from);
+  };
+  return {
+      .arc_interferes = [&](ToolArcRun& run) { return arc_interferes(recorder, path.start, path.end, run); },
+      .line_interferes =
+          [&, plane](const Vector& from, const Vector& to) {
+            return line_interferes(recorder, path, in_plane_of(plane, from), in_plane_of(plane, to));
+          },
+      .backwards =
+          [&path, change](const Vector& from, const Vector& to) {
+            return -dot(path.travel, path.travel + change(from, to)) / sqrt(squared_norm(path.travel));
+          },
+      .excess = [&path] { return excess(path.start, path.end); },
+  };
+}
 
-// A word G41 or G42.
-bool has_side_word(const CutterBlock& block) { return block.code && *block.code != CutterSide::none; }
+CornerVector in_plane(spec::Plane plane, const SpaceVector& v) {
+  return {in_plane_of(plane, v.vector), v.former, v.latter};
+}
+
+// Clauses: fanuc.cutter-c.*.
+class CutterCompensationC final : public CutterCompensation {
+ public:
+  explicit CutterCompensationC(const Place& place)
+      : CutterCompensation(place),
+        limit_(blocks_read(place.setup) - 1),
+        rules_(place.setup, place.recorder),
+        interference_{.checks = !place.setup.bit(5008, 0),
+                      .by_parameters = true,
+                      .keeps_vectors = place.setup.series == spec::Series::series_30i && place.setup.bit(5008, 3),
+                      .no_alarm = place.setup.bit(5008, 1)},
+        axes_(place.setup.axes),
+        at_once_(place.setup.bit(5003, 1)),
+        mode_(place.setup, place.recorder, limit_) {}
+
+  [[nodiscard]] int look_ahead() const override { return limit_; }
+  [[nodiscard]] bool on() const override { return mode_.is_on_or_asked_for(); }
+  // In the mode: it is then an arc without a sweep, and PS0038.
+  [[nodiscard]] bool takes_arc_about_its_start(const Command& command) const override { return on_after(command); }
+  void take(Step step) override {
+    CutterPlan plan;
+    if (step.words.cutter) plan = mode_.next(*step.words.cutter, step);
+    step.clauses.add(recorder().take_clauses());
+    window_.push({std::move(step), std::move(plan)});
+  }
+
+  void end() override { window_.end(); }
+  std::optional<Step> next() override {
+    if (window_.empty()) return std::nullopt;
+    const Ahead ahead = looks_ahead(window_.front()) ? look() : Ahead{.kind = Ahead::Kind::none};
+    if (ahead.kind == Ahead::Kind::unknown) return std::nullopt;
+    Planned b = window_.pop();
+    recorder().at(b.step.line);
+    make_moves(b, ahead);
+    b.step.clauses.add(recorder().take_clauses());
+    tool_.place = b.step.rest;
+    return std::move(b.step);
+  }
+
+ private:
+  struct Planned {
+    Step step;
+    CutterPlan plan;
+  };
+  // What follows a block.
+  struct Ahead {
+    enum class Kind : std::uint8_t {
+      unknown,      // as far as the program has been read
+      next,         // a block that makes a corner with it
+      none,         // no such block, by `why`
+      takes_vector  // G52 or G92 of the plane
+    };
+    Kind kind = Kind::unknown;
+    const Planned* next = nullptr;
+    bool repeated = false;  // G41 or G42 repeated in the next block, or in a block between
+    bool between = false;   // blocks without motion come between
+    Clause why{};
+  };
+
+  [[nodiscard]] bool wanted(CutterSide side, std::uint32_t number) const override {
+    return asks_for_mode(side, number);
+  }
+  using CutterCompensation::wanted;
+  void check(const CutterBlock& words) const override {
+    check_common(words);
+    if (words.one_shot == OneShot::corner_arc) check_corner_arc(words);
+    if (!words.arc_words) return;
+    const bool starts = wanted(words) && !mode_.is_on() && !mode_.is_pending();
+    const bool cancels = !wanted(words) && mode_.is_on();
+    // fanuc.cutter-c.start-or-cancel-in-arc: An arc as start-up block or as cancel block raises PS0034. The words of
+    // the block tell whether it is an arc: G02 or G03 in force, no code of group 00 in the block (G45 to G48 do not
+    // count here), and an axis word of the plane, R, I, J or K in the block.
+    if (starts || cancels)
+      raise(recorder(), Clause::fanuc_cutter_c_start_or_cancel_in_arc, AlarmCause::arc_at_start_or_cancel);
+  }
+
+  [[nodiscard]] const CutterBlock& block_of(const Planned& b) const { return *b.step.words.cutter; }
+
+  void check_corner_arc(const CutterBlock& words) const {
+    const bool has_side_word = words.code && *words.code != CutterSide::none;
+    const bool other_number = words.number_given && words.number != words.number_before;
+    const bool no_direction = words.direction && is_zero(*words.direction);
+    // fanuc.cutter-c.corner-arc-alarm: G39 raises PS0035 with G40 or number 0 in force, or after them while a vector
+    // waits for its removal. It raises PS0035 before a moving block has made a vector: before the start-up block, after
+    // a G41 or G42 of SUV = 1, and after G53, G28, G30, G30.1, G29, G52 or G92 of the plane. It raises PS0035 with G41,
+    // G42, an axis word, or a word that gives the cutter another number in its block, and with letters of the plane
+    // that are all 0.
+    if (!wanted(words) || !mode_.made_by_move() || has_side_word || words.axis_word || other_number || no_direction)
+      raise(recorder(), Clause::fanuc_cutter_c_corner_arc_alarm, AlarmCause::corner_arc);
+  }
+
+  [[nodiscard]] bool looks_ahead(const Planned& b) const {
+    return b.plan.part == CutterPart::start_up || b.plan.part == CutterPart::moving ||
+           b.plan.part == CutterPart::lone_start || (b.plan.part == CutterPart::corner_arc && !block_of(b).direction);
+  }
+
+  // fanuc.cutter-c.one-non-motion-block: If the count between A and B is smaller than that of
+  // fanuc.cutter-c.two-non-motion-blocks (so it is one, or on the 30i more, by No. 19625), the group is made as if the
+  // blocks between were not there. The blocks between run at the first head, before the corner moves.
+  // fanuc.cutter-c.no-next-block: If there is no B to make a corner with, block A, also a start-up block, ends with P1
+  // as well. There is no B at the end of the program, before a block that raises an alarm when it is read or leaves the
+  // run undecided, and before G39, G29 with axis words, G28, G30 or G30.1 with axis words (except in
+  // fanuc.cutter-c.reference-intersection), a lone G40 and a lone number 0.
+  // fanuc.cutter-c.two-non-motion-blocks: As soon as the count after block A is two or more, A ends with P1. This holds
+  // for a start-up block too. The next moving block starts from that vector, so there is no corner.
+  // fanuc.cutter-c.repeated: If block B, or a block between A and B, has a word G41 or G42 equal to the code in force
+  // before it, the group is P1 of A, at inner and outer corners alike.
+  [[nodiscard]] Ahead look() const {
+    using Kind = Ahead::Kind;
+    const Planned& a = window_.front();
+    if (stops_reading(block_of(a), a.step))
+      return {.kind = Kind::none, .why = Clause::fanuc_cutter_c_look_ahead_stopped};
+    bool repeated = false;
+    int count = 0;
+    for (std::size_t i = 0; i < window_.following(); ++i) {
+      const Planned& b = window_.after(i);
+      const CutterBlock& block = block_of(b);
+      repeated = repeated || block.repeats_code();
+      if (makes_corner(b.plan.part)) return {Kind::next, &b, repeated, count > 0, {}};
+      if (stops_reading(block, b.step) && block.motion != PlaneMotion::reference)
+        return {.kind = Kind::none, .why = Clause::fanuc_cutter_c_look_ahead_stopped};
+      if (b.plan.shifts) return {.kind = Kind::takes_vector};
+      if (b.plan.part != CutterPart::idle && b.plan.part != CutterPart::lone_start)
+        return {.kind = Kind::none, .why = Clause::fanuc_cutter_c_no_next_block};
+      count += b.plan.counts;
+      if (count >= limit_ || b.plan.part == CutterPart::lone_start)
+        return {.kind = Kind::none, .why = Clause::fanuc_cutter_c_two_non_motion_blocks};
+    }
+    return {.kind = window_.ended() ? Kind::none : Kind::unknown, .why = Clause::fanuc_cutter_c_no_next_block};
+  }
+
+  // The moves of a block, and where the tool stands after it.
+  void make_moves(Planned& b, const Ahead& ahead) {
+    if (b.plan.shifts) shift(b);
+    switch (b.plan.part) {
+      case CutterPart::free:
+        break;
+      case CutterPart::idle:
+        at_head(b.step, tool_.heads.front());
+        break;
+      case CutterPart::outside_axes:
+        // fanuc.cutter-c.outside-axes-only: A block with G53, G28, G30, G30.1 or G29 that names only axes outside the
+        // plane keeps the vector. The block before ends with P1, and the next moving block starts from that vector.
+        recorder().reach(Clause::fanuc_cutter_c_outside_axes_only);
+        at_head(b.step, tool_.heads.front());
+        break;
+      case CutterPart::lone_start:
+        lone_start(b, ahead);
+        break;
+      case CutterPart::lone_cancel:
+        lone_cancel(b);
+        break;
+      case CutterPart::start_up:
+      case CutterPart::moving:
+        mode_block(b, ahead);
+        break;
+      case CutterPart::cancel:
+      case CutterPart::cancel_at_its_end:
+        cancel(b);
+        break;
+      case CutterPart::corner_arc:
+        corner_arc(b, ahead);
+        break;
+      case CutterPart::to_machine_position:
+      case CutterPart::way_to_intermediate:
+      case CutterPart::along_to_intermediate:
+        machine_move(b);
+        break;
+    }
+  }
+
+  // A start-up block, or a block of the offset mode.
+  void mode_block(Planned& a, const Ahead& ahead) {
+    const spec::Plane plane = block_of(a).plane;
+    const OffsetPath& path = a.plan.path;
+    SpaceGroup at_end = group_at_end(a, ahead);
+    std::optional<ToolArcRun> run;
+    if (path.is_arc())
+      run.emplace(recorder(), path, in_plane(plane, tool_.heads.back()), in_plane(plane, at_end.front()));
+    Checked checked;
+    // fanuc.cutter-c.interference-check: No. 5008 bit 0, CNI, switches the interference check: 0 checks, 1 does not.
+    if (a.plan.part == CutterPart::moving && a.plan.checked && ahead.kind != Ahead::Kind::takes_vector &&
+        recorder().decide(Clause::fanuc_cutter_c_interference_check, interference_.checks))
+      checked = check_interference(recorder(), interference_, between_vectors(recorder(), plane, path), tool_.heads,
+                                   at_end, run ? &*run : nullptr);
+    // fanuc.cutter-c.interference-alarm: Interference of the last pair, or of the only pair, raises PS0041 (except in
+    // fanuc.cutter-c.interference-without-alarm). The alarm names the block. Neither the block nor its corner moves are
+    // given; the block before it runs to the first head of its own group.
+    if (checked.passage == Passage::blocked)
+      raise_at(a, Clause::fanuc_cutter_c_interference_alarm, AlarmCause::interference, checked.crossing);
+    a.step.clauses.add(recorder().take_clauses());
+    end_at(a.step.moves.front(), at_end.front(), run ? &*run : nullptr, checked.passage);
+    if (a.plan.part == CutterPart::start_up) a.step.moves.front().leg.cause = spec::Cause::start_up;
+    insert_corner_moves(a.step, block_of(a), tool_);
+    tool_.heads = std::move(at_end);
+    here_ = path.end.heading;
+  }
+
+  // The vectors at the end of a moving block: those of the corner, or P1.
+  [[nodiscard]] SpaceGroup group_at_end(const Planned& a, const Ahead& ahead) {
+    const spec::Plane plane = block_of(a).plane;
+    // fanuc.cutter-c.coordinate-shift: G52 or G92 with an axis word of the plane while the mode is on takes the vector
+    // away for a time. The block before, A, ends at its programmed point, without a move of its own for that. This
+    // holds also if A is a start-up block, and with or without a block without motion between. The mode stays on,
+    // whatever CCN is. The next moving block, also an arc, runs from there to its ordinary group, without a corner and
+    // without a change of direction before it.
+    if (ahead.kind == Ahead::Kind::takes_vector) {
+      recorder().decide(Clause::fanuc_cutter_c_coordinate_shift, true);
+      return {SpaceVector{}};
+    }
+    if (ahead.kind == Ahead::Kind::none) {
+      recorder().reach(ahead.why);
+      return in_space(plane, rules_.square_to(a.plan.path.end));
+    }
+    recorder().decide(Clause::fanuc_cutter_c_one_non_motion_block, ahead.between);
+    return in_space(plane, corner_group(a, *ahead.next, ahead.repeated));
+  }
+
+  [[nodiscard]] VectorGroup corner_group(const Planned& a, const Planned& b, bool repeated) {
+    const CutterBlock& next = block_of(b);
+    const bool directed = next.code == CutterSide::none && next.direction && !is_zero(*next.direction);
+    const CutterCorner corner{.former = a.plan.path.end,
+                              .latter = b.plan.path,
+                              .starts = a.plan.part == CutterPart::start_up,
+                              .side_changes = a.plan.offset.side != b.plan.offset.side,
+                              .repeated = repeated,
+                              .cancels = b.plan.part == CutterPart::cancel,
+                              .direction = directed ? next.direction : std::nullopt};
+    // fanuc.cutter-c.value-at-a-corner: A new number or value counts for the vectors at the end of the moving block
+    // that has it, or, if that block does not move, at the end of the next moving block.
+    if (!corner.cancels)
+      recorder().decide(Clause::fanuc_cutter_c_value_at_a_corner, b.plan.offset.value != a.plan.offset.value);
+    auto group = rules_.group(corner);
+    // fanuc.cutter-c.no-intersection: An inner corner with an arc and R' >= 0 whose offset paths do not meet raises
+    // PS0033. The alarm names A. Neither A nor a corner move of A is given, and the blocks before A are given as
+    // computed with A present.
+    if (!group) raise_at(a, Clause::fanuc_cutter_c_no_intersection, AlarmCause::no_intersection, {});
+    return std::move(*group);
+  }
+
+  // The vector made or removed in a block without motion.
+  void at_once(Planned& b, spec::Cause cause) {
+    const CutterBlock& block = block_of(b);
+    // The words of an ignored G53 are none.
+    const bool ignored = block.one_shot == OneShot::machine_coordinates && block.motion == PlaneMotion::none;
+    // fanuc.cutter-c.start-without-motion-move: If a block without motion in the plane makes or removes the vector and
+    // has no axis word, it does so by a move of its own, of the kind of group 01 (linear under G02 and G03). If the
+    // block has an axis word, its own move takes the vector along.
+    recorder().decide(Clause::fanuc_cutter_c_start_without_motion_move, block.axis_word && !ignored);
+    // Beside G52 and G92 the only move there can be is that of the length offset (clause
+    // fanuc.cutter-c.workpiece-change).
+    if (b.plan.changes && is_shift(block.one_shot)) b.step.moves.clear();
+    change_alone(b.step, cause, b.plan.changes);
+  }
+
+  void lone_start(Planned& b, const Ahead& ahead) {
+    // fanuc.cutter-c.start-without-motion: If SUV = 1, the mode is off, and a block that does not move in the plane has
+    // the word G41 or G42 and a number other than 0 in force at its end, the tool moves by P2 of the next moving block
+    // B. P2 has the value in force at the end of the G41 or G42 block; the cause is start-up.
+    // fanuc.cutter-c.start-without-next-block: If no B follows the G41 or G42 of SUV = 1, no vector is made. The mode
+    // is then off, and the next moving block is a start-up block if G41 or G42 is still in force. No B follows if one
+    // of these comes first: a count of fanuc.cutter-c.two-non-motion-blocks; a case of fanuc.cutter-c.no-next-block,
+    // G28 included; a block that stops reading ahead; G52 or G92 of the plane; or a block in which the mode is no
+    // longer asked for, also the cancel block.
+    if (ahead.kind == Ahead::Kind::next) {
+      recorder().reach(Clause::fanuc_cutter_c_start_without_motion);
+      at_once(b, spec::Cause::start_up);
+      tool_.heads = in_space(block_of(b).plane, {square_to_latter(ahead.next->plan.path.start)});
+    } else {
+      recorder().reach(Clause::fanuc_cutter_c_start_without_next_block);
+    }
+    at_head(b.step, tool_.heads.front());
+  }
+
+  // G40 or number 0.
+  void cancel(Planned& b) {
+    // fanuc.cutter-c.cancel: The first moving block with G40 or number 0 in force while the mode is on is the cancel
+    // block. The tool goes straight from the last head of the group at its start to its programmed end; the cause is
+    // cancel.
+    // fanuc.cutter-c.cancel-by-zero-travel: After a lone G40 or number 0 with SUV = 0, a block with an axis word of the
+    // plane but no travel there is a move command, and it is the cancel block. The vector is removed, and the tool ends
+    // at the programmed point; the cause is cancel.
+    recorder().reach(b.plan.part == CutterPart::cancel ? Clause::fanuc_cutter_c_cancel
+                                                       : Clause::fanuc_cutter_c_cancel_by_zero_travel);
+    insert_corner_moves(b.step, block_of(b), tool_);
+    b.step.moves.back().leg.cause = spec::Cause::cancel;
+    tool_.stand({});
+  }
+
+  void lone_cancel(Planned& b) {
+    // fanuc.cutter-c.cancel-without-motion: A G40 or number 0 in a block that does not move in the plane while the mode
+    // is on is called lone; its I, J and K mean nothing. Block A ends with P1.
+    recorder().reach(Clause::fanuc_cutter_c_cancel_without_motion);
+    // fanuc.cutter-c.suv: With No. 5003 bit 1, SUV, at 1 (type C), a G41 or G42 that starts the mode, and a G40 or
+    // number 0 that ends it, act at once in a block that does not move in the plane. With SUV = 0 such a block makes
+    // and removes nothing.
+    const bool removes = recorder().decide(Clause::fanuc_cutter_c_suv, at_once_);
+    if (removes) at_once(b, spec::Cause::cancel);
+    if (removes || !b.plan.changes) tool_.stand({});
+    at_head(b.step, tool_.heads.front());
+  }
+
+  // G39: an arc about the corner.
+  void corner_arc(Planned& b, const Ahead& ahead) {
+    const auto& direction = block_of(b).direction;
+    // fanuc.cutter-c.corner-arc-direction: The direction u of G39 is that of the letters of the plane among I J K. A
+    // missing letter is 0, and the letter outside the plane means nothing. Without letters of the plane, u is the start
+    // tangent of the next moving block. That block may also be the cancel block (its own line, whatever its I J K) or,
+    // with CCN = 1, the way to the intermediate point.
+    if (recorder().decide(Clause::fanuc_cutter_c_corner_arc_direction, direction.has_value())) {
+      turn(b, heading(*direction), false);
+    } else if (ahead.kind == Ahead::Kind::next) {
+      turn(b, ahead.next->plan.path.start.heading, ahead.next->plan.offset.side == b.plan.offset.side);
+    } else {
+      const bool too_far = ahead.why == Clause::fanuc_cutter_c_two_non_motion_blocks;
+      // fanuc.cutter-c.corner-arc-without-next-block: If a case of fanuc.cutter-c.no-next-block comes before the next
+      // moving block, a G39 without letters makes no arc and keeps the vector. If a count of
+      // fanuc.cutter-c.two-non-motion-blocks comes after the G39, the run is undecided at the G39 block, and the blocks
+      // before it are given as if it were absent.
+      if (recorder().decide(Clause::fanuc_cutter_c_corner_arc_without_next_block, too_far)) {
+        window_.clear();
+        LeftOpen open(Clause::fanuc_cutter_c_corner_arc_without_next_block,
+                      "two blocks without motion after a G39 without direction");
+        open.line = b.step.line;
+        open.n = b.step.n;
+        throw LeftOpen(open);
+      }
+    }
+    at_head(b.step, tool_.heads.front());
+  }
+
+  // From the vector in force, which is square to its heading, to the one square to another.
+  void turn(Planned& b, const Heading& to, bool next_is_square) {
+    const Rational offset = b.plan.offset.left();
+    // fanuc.cutter-c.value-zero: If r = 0, the group is the zero vector alone, whatever the corner and No. 5010. There
+    // are then no corner moves, not even before an arc of 180 degrees or more. A start-up and a cancel with r = 0 keep
+    // their causes.
+    if (offset == 0) {
+      recorder().reach(Clause::fanuc_cutter_c_value_zero);
+      return;
+    }
+    const bool clockwise = offset > 0;
+    const Real left_turn = cross(here_.along, to.along);
+    const Real cosine = dot(here_.along, to.along);
+    const Real sine = clockwise ? -left_turn : left_turn;
+    // fanuc.cutter-c.corner-arc: With G39 while the mode is on, the block before ends with P1, and the tool runs an arc
+    // about the corner from the vector V in force to V' = rho N(u). r and side are those of the moving block before,
+    // whatever has changed since.
+    const Sign side = recorder().decide(Clause::fanuc_cutter_c_corner_arc, sine, here_.length * to.length);
+    const CutterBlock& block = block_of(b);
+    if (side != Sign::zero || cosine.sign() != Sign::positive) {
+      if (b.step.moves.empty()) b.step.moves.push_back(b.step.rest);
+      Leg& leg = b.step.moves.front().leg;
+      leg.type = spec::MoveType::arc;
+      leg.cause = spec::Cause::corner;
+      spec::Arc<Real>& path = leg.arc.emplace();
+      const PlaneLetters in_plane = letters(block.plane);
+      path.center.set(axes_.index(in_plane.first), block.start[0]);
+      path.center.set(axes_.index(in_plane.second), block.start[1]);
+      path.plane = block.plane;
+      path.direction = clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
+      path.sweep = swept_angle(sine, cosine, side);
+    }
+    here_ = to;
+    PathEnd end;
+    end.heading = to;
+    end.offset = offset;
+    tool_.heads = in_space(block.plane, {{perpendicular(end), Seat::off, next_is_square ? Seat::square : Seat::off}});
+  }
+
+  // G52 or G92 of the plane: there is no vector from here on.
+  void shift(const Planned& b) {
+    if (!b.plan.after_leg) recorder().decide(Clause::fanuc_cutter_c_coordinate_shift, false);
+    tool_.stand({});
+  }
+
+  // G53, G28, G30, G30.1 and G29 of the plane: the vector goes in the first move, or after the intermediate point.
+  void machine_move(Planned& b) {
+    const CutterBlock& block = block_of(b);
+    const bool reference = block.motion == PlaneMotion::reference;
+    std::vector<Move>& moves = b.step.moves;
+    if (b.plan.part == CutterPart::to_machine_position) {
+      // fanuc.cutter-c.reference-return: If CCN = 0, if G40 or number 0 is in force, or after a lone G40, the block
+      // before a G28, G30 or G30.1 of the plane ends with P1, and the vector is removed on the way to the intermediate
+      // point.
+      // fanuc.cutter-c.machine-position: With G53 and an axis word of the plane under G90 while the mode is on, the
+      // vector vanishes in the G53 move (cause programmed). With G29 it vanishes likewise, at the intermediate point.
+      recorder().reach(reference ? Clause::fanuc_cutter_c_reference_return : Clause::fanuc_cutter_c_machine_position);
+    } else if (b.plan.part == CutterPart::way_to_intermediate) {
+      moves.front().offset = in_space(block.plane, perpendicular(b.plan.path.end));
+      insert_corner_moves(b.step, block, tool_);
+    } else {
+      moves.front().offset = tool_.heads.front().vector;
+    }
+    // fanuc.cutter-c.one-plane-axis: If a block with G53, G28, G30, G30.1 or G29 names only one axis of the plane, both
+    // components of the vector are cleared all the same, with CCN = 0 and with CCN = 1.
+    recorder().decide(Clause::fanuc_cutter_c_one_plane_axis, block.word[0] != block.word[1]);
+    tool_.stand({});
+  }
+
+  // The alarm names this block, and nothing of it is given.
+  [[noreturn]] void raise_at(const Planned& b, Clause clause, AlarmCause cause, const Real& crossing) {
+    recorder().reach(clause);
+    const Alarm alarm = geometry_alarm(b.step, axes_, cause, crossing);
+    window_.clear();
+    throw Alarm(alarm);
+  }
+
+  int limit_;
+  CutterRules rules_;
+  InterferenceRules interference_;
+  spec::Axes axes_;
+  bool at_once_;  // 5003#1, SUV
+
+  CutterMode mode_;
+  Window<Planned> window_;
+  Standing tool_;
+  Heading here_;  // the vector is square to this, where it can be that of G39
+};
 
 }  // namespace
 
-// fanuc.cutter-c.one-non-motion-block: If the count between A and B is smaller than that of
-// fanuc.cutter-c.two-non-motion-blocks (so it is one, or on the 30i more, by No. 19625), the group is made as if the
-// blocks between were not there. The blocks between run at the first head, before the corner moves.
-// fanuc.cutter-c.no-next-block: If there is no B to make a corner with, block A, also a start-up block, ends with P1 as
-// well. There is no B at the end of the program, before a block that raises an alarm when it is read or leaves the run
-// undecided, and before G39, G29 with axis words, G28, G30 or G30.1 with axis words (except in
-// fanuc.cutter-c.reference-intersection), a lone G40 and a lone number 0.
-CutterCompensationC::CutterCompensationC(const Place& place)
-    : CutterCompensation(place),
-      rules_(place.setup, place.recorder),
-      axes_(place.setup.axes),
-      at_once_(place.setup.bit(5003, 1)),
-      keeps_the_mode_(place.setup.bit(5003, 2)),
-      ahead_(place, *this,
-             {LookAhead::Between::at_first_head, Clause::fanuc_cutter_c_one_non_motion_block,
-              Clause::fanuc_cutter_c_no_next_block, blocks_read(place.setup) - 1,
-              LookAhead::Rules::Interference{
-                  .keeps_vectors = place.setup.series == spec::Series::series_30i && place.setup.bit(5008, 3),
-                  .no_alarm = place.setup.bit(5008, 1)}}) {}
-
-bool CutterCompensationC::wanted(CutterSide side, std::uint32_t number) const {
-  return side != CutterSide::none && number != 0;
-}
-
-void CutterCompensationC::check(const CutterBlock& words) const {
-  check_common(words);
-  if (words.one_shot == OneShot::corner_arc) check_corner_arc(words);
-  if (!words.arc_words) return;
-  const bool starts = wanted(words) && !ahead_.in_mode() && ahead_.held().empty();
-  const bool cancels = !wanted(words) && ahead_.in_mode();
-  // fanuc.cutter-c.start-or-cancel-in-arc: An arc as start-up block or as cancel block raises PS0034. The words of the
-  // block tell whether it is an arc: G02 or G03 in force, no code of group 00 in the block (G45 to G48 do not count
-  // here), and an axis word of the plane, R, I, J or K in the block.
-  if (starts || cancels)
-    raise(recorder(), Clause::fanuc_cutter_c_start_or_cancel_in_arc, AlarmCause::arc_at_start_or_cancel);
-}
-
-void CutterCompensationC::check_corner_arc(const CutterBlock& words) const {
-  const bool has_vector = ahead_.mode == CornerMode::on && (!ahead_.held().empty() || made_by_move_);
-  const bool other_number = words.number_given && words.number != words.number_before;
-  const bool no_direction = words.direction && is_zero(*words.direction);
-  // fanuc.cutter-c.corner-arc-alarm: G39 raises PS0035 with G40 or number 0 in force, or after them while a vector
-  // waits for its removal. It raises PS0035 before a moving block has made a vector: before the start-up block, after a
-  // G41 or G42 of SUV = 1, and after G53, G28, G30, G30.1, G29, G52 or G92 of the plane. It raises PS0035 with G41,
-  // G42, an axis word, or a word that gives the cutter another number in its block, and with letters of the plane that
-  // are all 0.
-  if (!wanted(words) || !has_vector || has_side_word(words) || words.axis_word || other_number || no_direction)
-    raise(recorder(), Clause::fanuc_cutter_c_corner_arc_alarm, AlarmCause::corner_arc);
-}
-
-void CutterCompensationC::take(const Step& step) {
-  if (!has_words(step)) {
-    hand_on(step);
-    return;
-  }
-  Step now = step;
-  const CutterBlock& block = said(now);
-  const bool in_force = block.side != CutterSide::none;
-  // fanuc.cutter-c.number-zero: Number 0 in force acts as G40 does. G41 or G42 stays in force, and a later number other
-  // than 0 asks for the mode again. A number other than 0 whose value is 0 does not cancel: the mode starts and stays
-  // on.
-  const bool wanted = in_force && !recorder().decide(Clause::fanuc_cutter_c_number_zero, block.number == 0);
-  // fanuc.cutter-c.moving-block: A block moves in the plane if its end differs from its start in an axis of the plane,
-  // or if it is a full circle. Its path is that of G00, G01, G02 or G03 seen in the plane.
-  const bool moves = recorder().decide(Clause::fanuc_cutter_c_moving_block,
-                                       block.motion == PlaneMotion::line || block.motion == PlaneMotion::arc);
-  if (ahead_.holds(Held::Kind::lone_start) && (!wanted || is_machine_move(block.motion) || shifts_plane(block))) {
-    now.clauses.add(recorder().take_clauses());
-    drop_lone_start();
-  }
-  // fanuc.cutter-c.look-ahead-stopped: Nothing is read beyond a block with G53, whatever its words, or with an M code
-  // that stops reading ahead (fanuc.program.stops-reading-ahead), before that block has run.
-  const bool stops = now.stops_look_ahead || block.one_shot == OneShot::machine_coordinates;
-  const bool may_be_next = moves || block.motion == PlaneMotion::reference;
-  if (stops && !may_be_next) ahead_.end_before(now, Clause::fanuc_cutter_c_look_ahead_stopped);
-  if (ahead_.in_mode() || ahead_.holds(Held::Kind::lone_start))
-    take_while_on(now, wanted, moves);
-  else
-    take_while_off(now, wanted, moves);
-  if (stops) ahead_.end_behind(Clause::fanuc_cutter_c_look_ahead_stopped);
-}
-
-void CutterCompensationC::finish() { ahead_.end(); }
-
-void CutterCompensationC::take_while_off(Step& now, bool wanted, bool moves) {
-  ahead_.mode = wanted ? CornerMode::waiting : CornerMode::off;
-  unchecked_ = false;
-  const CutterBlock& block = said(now);
-  // fanuc.cutter-c.suv: With No. 5003 bit 1, SUV, at 1 (type C), a G41 or G42 that starts the mode, and a G40 or number
-  // 0 that ends it, act at once in a block that does not move in the plane. With SUV = 0 such a block makes and removes
-  // nothing.
-  if (wanted && moves) {
-    // fanuc.cutter-c.start-up: If G41 or G42 and a number other than 0 are in force and the mode is off, the next block
-    // that moves in the plane is the start-up block, whether it has the code or not (except in
-    // fanuc.cutter-c.start-without-motion).
-    recorder().reach(Clause::fanuc_cutter_c_start_up);
-    const CutterOffset offset = offset_of(recorder(), block.side, block.offset);
-    ahead_.mode = CornerMode::on;
-    hold_moving(now, Held::Kind::start_up, path_of(block, offset, offset.distance), offset);
-  } else if (wanted && has_side_word(block) && !is_machine_move(block.motion) &&
-             recorder().decide(Clause::fanuc_cutter_c_suv, at_once_)) {
-    ahead_.hold(now, Held::Kind::lone_start, offset_of(recorder(), block.side, block.offset), nullptr);
-  } else {
-    ahead_.emit(now);
-  }
-}
-
-// The code has no vector to make: the next moving block is a start-up block.
-void CutterCompensationC::drop_lone_start() {
-  const std::uint64_t line = recorder().line();
-  recorder().at(ahead_.held().front().step.line);
-  // fanuc.cutter-c.start-without-next-block: If no B follows the G41 or G42 of SUV = 1, no vector is made. The mode is
-  // then off, and the next moving block is a start-up block if G41 or G42 is still in force. No B follows if one of
-  // these comes first: a count of fanuc.cutter-c.two-non-motion-blocks; a case of fanuc.cutter-c.no-next-block, G28
-  // included; a block that stops reading ahead; G52 or G92 of the plane; or a block in which the mode is no longer
-  // asked for, also the cancel block.
-  recorder().reach(Clause::fanuc_cutter_c_start_without_next_block);
-  ahead_.pass();
-  recorder().at(line);
-}
-
-void CutterCompensationC::take_while_on(Step& now, bool wanted, bool moves) {
-  const CutterBlock& block = said(now);
-  // fanuc.cutter-c.restart-before-removal: If G41 or G42 with a number other than 0 is in force again after a lone G40
-  // or number 0, before the vector is removed, the run is undecided at that block. The blocks before it are given as if
-  // it were absent. A vector that is exactly zero is removed at once.
-  if (wanted && ahead_.mode == CornerMode::leaving)
-    ahead_.leave_open_at(now, Clause::fanuc_cutter_c_restart_before_removal,
-                         "G41 or G42 again before the vector of the cancelled mode is removed");
-  if (shifts_plane(block)) take_vector_for_a_time(now);
-  if (is_machine_move(block.motion)) {
-    take_machine_move(now, wanted);
-  } else if (!wanted) {
-    if (moves)
-      take_cancel(now);
-    else if (ahead_.mode == CornerMode::leaving && block.motion == PlaneMotion::zero_travel)
-      cancel_by_zero_travel(now);
-    else if (ahead_.mode == CornerMode::on)
-      cancel_alone(now);
-    else
-      ahead_.keep(now);
-  } else if (moves) {
-    take_moving(now);
-  } else if (block.one_shot == OneShot::corner_arc) {
-    take_corner_arc(now);
-  } else {
-    take_without_motion(now);
-  }
-}
-
-void CutterCompensationC::take_moving(Step& now) {
-  const CutterBlock& block = said(now);
-  // fanuc.cutter-c.arc-ends-in-center: An arc block with G41 or G42 and a number other than 0 in force raises PS0038 if
-  // its centre is its start or its end; both cases are alike. This is an alarm of a command. It comes after the alarms
-  // that the words alone raise (PS0034 of a start-up in an arc among them) and after those of the length offset.
-  if (block.arc && !block.arc->sweep)
-    raise(recorder(), Clause::fanuc_cutter_c_arc_ends_in_center, AlarmCause::arc_ends_in_center);
-  const CutterOffset offset = ahead_.next_offset(now, true);
-  const OffsetPath path = path_of(block, offset, ahead_.last_offset().distance);
-  meet_corner(now, path, offset);
-  hold_moving(now, Held::Kind::moving, path, offset);
-}
-
-void CutterCompensationC::hold_moving(Step& now, Held::Kind kind, const OffsetPath& path, const CutterOffset& offset) {
-  const bool checked = !std::exchange(unchecked_, false);
-  ahead_.hold(now, kind, offset, std::make_shared<HeldCutterPath>(said(now).plane, path), checked);
-}
-
-void CutterCompensationC::meet_corner(Step& now, const OffsetPath& path, const CutterOffset& offset) {
-  const CutterBlock& block = said(now);
-  const auto group = [&](Held& held, std::size_t /*corner*/) {
-    if (held.kind == Held::Kind::lone_start) return vector_of_start(held, path.start);
-    if (held.kind == Held::Kind::corner_arc)
-      return turn(held.step, path.start.heading, offset.side == held.offset.side);
-    return group_before(held, block, path, offset);
-  };
-  ahead_.meet(now, {std::vector(ahead_.held().size(), true), 0, {}, group});
-}
-
-void CutterCompensationC::take_without_motion(Step& now) {
-  const CutterBlock& block = said(now);
-  int counts = 0;
-  // fanuc.cutter-c.non-motion-count: Between two moving blocks, every block that does not move in the plane counts one:
-  // M, S, T, F, G04, G10, other G codes, axes outside the plane, D or H alone, O alone, G41 or G42 alone.
-  if (block.is_block && !ahead_.held().empty())
-    counts = recorder().decide(Clause::fanuc_cutter_c_non_motion_count, block.motion == PlaneMotion::zero_travel)
-                 ? ahead_.limit()
-                 : 1;
-  if (ahead_.holds(Held::Kind::lone_start) && has_side_word(block) &&
-      ahead_.held().front().without_movement + counts >= ahead_.limit()) {
-    // The look-ahead ends here without a moving block; the code has one of its own.
-    now.clauses.add(recorder().take_clauses());
-    drop_lone_start();
-    take_while_off(now, true, false);
-    return;
-  }
-  // fanuc.cutter-c.two-non-motion-blocks: As soon as the count after block A is two or more, A ends with P1. This holds
-  // for a start-up block too. The next moving block starts from that vector, so there is no corner.
-  ahead_.meet(now,
-              {std::vector(ahead_.held().size(), false), counts, Clause::fanuc_cutter_c_two_non_motion_blocks, {}});
-  ahead_.keep(now);
-}
-
-void CutterCompensationC::take_vector_for_a_time(Step& now) {
-  // fanuc.cutter-c.coordinate-shift: G52 or G92 with an axis word of the plane while the mode is on takes the vector
-  // away for a time. The block before, A, ends at its programmed point, without a move of its own for that. This holds
-  // also if A is a start-up block, and with or without a block without motion between. The mode stays on, whatever CCN
-  // is. The next moving block, also an arc, runs from there to its ordinary group, without a corner and without a
-  // change of direction before it.
-  if (!ahead_.held().empty() && !ahead_.held().front().stands()) {
-    ahead_.end_without_vector(now, Clause::fanuc_cutter_c_coordinate_shift);
-  } else {
-    ahead_.end_before(now);
-    // fanuc.cutter-c.coordinate-shift-with-vector: If the tool is already at a vector, G52 or G92 with an axis word of
-    // the plane leaves the run undecided at that block. The blocks before it are given as if it were absent. This
-    // happens after G39, after a count of two (on the 30i: of one less than 19625 gives), and after a lone G40 or
-    // number 0 whose vector waits. A vector of length 0 is none.
-    if (!is_zero(in_plane_of(said(now).plane, ahead_.here().front().vector)))
-      ahead_.leave_open_at(now, Clause::fanuc_cutter_c_coordinate_shift_with_vector,
-                           "G52 or G92 while the tool is at a vector of cutter compensation C");
-    recorder().decide(Clause::fanuc_cutter_c_coordinate_shift, false);
-  }
-  go_on_without_vector();
-}
-
-void CutterCompensationC::take_cancel(Step& now) {
-  const CutterBlock& block = said(now);
-  const CutterOffset& offset = ahead_.last_offset();
-  meet_corner(now, line_path(block.end - block.start, offset.left(), offset.left()), offset);
-  // fanuc.cutter-c.cancel: The first moving block with G40 or number 0 in force while the mode is on is the cancel
-  // block. The tool goes straight from the last head of the group at its start to its programmed end; the cause is
-  // cancel.
-  recorder().reach(Clause::fanuc_cutter_c_cancel);
-  ahead_.take_away(now);
-}
-
-// G40 or number 0 in a block that does not move in the plane.
-void CutterCompensationC::cancel_alone(Step& now) {
-  ahead_.end_before(now);
-  // fanuc.cutter-c.cancel-without-motion: A G40 or number 0 in a block that does not move in the plane while the mode
-  // is on is called lone; its I, J and K mean nothing. Block A ends with P1.
-  recorder().reach(Clause::fanuc_cutter_c_cancel_without_motion);
-  const bool removes = recorder().decide(Clause::fanuc_cutter_c_suv, at_once_);
-  const bool has_vector = !is_zero(in_plane_of(said(now).plane, ahead_.here().front().vector));
-  if (removes) see_move_alone(now, has_vector);
-  ahead_.cancel_alone(now, has_vector, removes);
-}
-
-// Nothing is held: the lone G40 before it has seen to that.
-void CutterCompensationC::cancel_by_zero_travel(Step& now) {
-  // fanuc.cutter-c.cancel-by-zero-travel: After a lone G40 or number 0 with SUV = 0, a block with an axis word of the
-  // plane but no travel there is a move command, and it is the cancel block. The vector is removed, and the tool ends
-  // at the programmed point; the cause is cancel.
-  recorder().reach(Clause::fanuc_cutter_c_cancel_by_zero_travel);
-  ahead_.take_away(now);
-}
-
-// Beside G52 and G92 the only move there can be is that of the length offset (clause fanuc.cutter-c.workpiece-change).
-void CutterCompensationC::see_move_alone(Step& step, bool changes) const {
-  const CutterBlock& block = said(step);
-  // The words of an ignored G53 are none.
-  const bool ignored = block.one_shot == OneShot::machine_coordinates && block.motion == PlaneMotion::none;
-  // fanuc.cutter-c.start-without-motion-move: If a block without motion in the plane makes or removes the vector and
-  // has no axis word, it does so by a move of its own, of the kind of group 01 (linear under G02 and G03). If the block
-  // has an axis word, its own move takes the vector along.
-  recorder().decide(Clause::fanuc_cutter_c_start_without_motion_move, block.axis_word && !ignored);
-  if (changes && is_shift(block.one_shot)) step.moves.clear();
-}
-
-void CutterCompensationC::end_standing(Clause why) {
-  if (ahead_.holds(Held::Kind::lone_start)) {
-    drop_lone_start();
-    return;
-  }
-  const bool too_far = why == Clause::fanuc_cutter_c_two_non_motion_blocks;
-  // fanuc.cutter-c.corner-arc-without-next-block: If a case of fanuc.cutter-c.no-next-block comes before the next
-  // moving block, a G39 without letters makes no arc and keeps the vector. If a count of
-  // fanuc.cutter-c.two-non-motion-blocks comes after the G39, the run is undecided at the G39 block, and the blocks
-  // before it are given as if it were absent.
-  if (recorder().decide(Clause::fanuc_cutter_c_corner_arc_without_next_block, too_far)) {
-    LeftOpen open(Clause::fanuc_cutter_c_corner_arc_without_next_block,
-                  "two blocks without motion after a G39 without direction");
-    open.line = ahead_.held().front().step.line;
-    open.n = ahead_.held().front().step.n;
-    throw LeftOpen(open);
-  }
-  ahead_.pass();
-}
-
-void CutterCompensationC::released(const Held& held) {
-  here_heading_ = path_of(held).end.heading;
-  made_by_move_ = true;
+std::unique_ptr<Pass> cutter_compensation_c(const Pass::Place& place) {
+  return std::make_unique<CutterCompensationC>(place);
 }
 
 }  // namespace toolcomp::model

@@ -1,233 +1,251 @@
 // SPDX-License-Identifier: Apache-2.0
+// Leading edge offset: G41.3 and G40. A pass over the blocks in order, each with those that follow it: one that moves,
+// and one other. spec/formal/program/EdgePass.v has the same functions.
 #include "model/fanuc/leading_edge_offset/leading_edge_offset.h"
 
-#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <optional>
 #include <utility>
 
 #include "model/basis/alarm.h"
+#include "model/fanuc/leading_edge_offset/rules.h"
+#include "model/basis/window.h"
+#include "model/fanuc/program/pass.h"
 
 namespace toolcomp::model {
-namespace {}  // namespace
+namespace {
 
-LeadingEdgeOffset::LeadingEdgeOffset(const Place& place)
-    : StageOf(place), memory_(place.memory), rules_(place.setup, place.recorder) {}
+// Gives every move its compensation vector (Move::offset). Clauses: fanuc.leading-edge.*.
+class LeadingEdgeOffset : public Pass {
+ public:
+  // Throws spec::InputError naming parameter 19631.
+  explicit LeadingEdgeOffset(const Place& place)
+      : Pass(place), memory_(place.memory), rules_(place.setup, place.recorder) {}
 
-bool LeadingEdgeOffset::on_after(const Command& command) const {
-  const Codes& codes = command.codes;
-  if (codes.compensation == Compensation::leading_edge) return number(command) != 0;
-  return active_ && codes.compensation != Compensation::cancel && codes.d != 0U;
-}
-
-std::shared_ptr<StageWords> LeadingEdgeOffset::read(const StageCommand& now) {
-  using Code = EdgeBlock::Code;
-  const Command& command = now.command;
-  const Codes& codes = command.codes;
-  number_ = number(command);
-  auto block = std::make_shared<EdgeBlock>();
-  if (codes.compensation == Compensation::leading_edge) {
-    // fanuc.leading-edge.start-format: An axis word (I J K under G43.5 included), or an M code that stops reading ahead
-    // (fanuc.program.stops-reading-ahead), in the G41.3 block raises PS5406.
-    if (now.moves() || codes.stops_look_ahead)
-      raise(recorder(), Clause::fanuc_leading_edge_start_format, AlarmCause::leading_edge_format);
-    // fanuc.leading-edge.start-in-arc-mode: G41.3 while G02 or G03 is in force raises PS5408.
-    if (command.is_arc_motion())
-      raise(recorder(), Clause::fanuc_leading_edge_start_in_arc_mode, AlarmCause::leading_edge_start);
-    // fanuc.leading-edge.repeated: G41.3 while the mode is on raises PS5407.
-    if (active_) raise(recorder(), Clause::fanuc_leading_edge_repeated, AlarmCause::leading_edge_command);
-    // fanuc.leading-edge.start-with-d0: G41.3 with D0 in force starts nothing: the state stays cancelled, and the next
-    // block may be any block. A number whose value is 0 starts the mode with vectors of length 0. The format of the
-    // block is checked in both cases.
-    if (!recorder().decide(Clause::fanuc_leading_edge_start_with_d0, number_ == 0)) block->code = Code::start;
-  } else if (active_) {
-    // fanuc.leading-edge.d0-cancels: A D0 word while the mode is on cancels it as G40 does.
-    const bool by_number = recorder().decide(Clause::fanuc_leading_edge_d0_cancels, codes.d == 0U);
-    if (codes.compensation == Compensation::cancel || by_number) {
-      // fanuc.leading-edge.cancel-format: An axis word (I J K under G43.5 included) in the block that cancels the mode
-      // raises PS5406.
-      if (now.moves()) raise(recorder(), Clause::fanuc_leading_edge_cancel_format, AlarmCause::leading_edge_format);
-      block->code = Code::cancel;
-    }
-    // fanuc.leading-edge.arc: G02 or G03 while the mode is on raises PS5407, also in the block that cancels the mode:
-    // only G00 and G01 are allowed.
-    if (command.is_arc_motion()) raise(recorder(), Clause::fanuc_leading_edge_arc, AlarmCause::leading_edge_command);
+  [[nodiscard]] Extent extent() const override { return Extent::space; }
+  [[nodiscard]] int look_ahead() const override { return 2; }
+  [[nodiscard]] bool on() const override { return active_; }
+  [[nodiscard]] bool on_after(const Command& command) const override {
+    const Codes& codes = command.codes;
+    if (codes.compensation == Compensation::leading_edge) return number(command) != 0;
+    return active_ && codes.compensation != Compensation::cancel && codes.d != 0U;
   }
-  if (!active_ && block->code == Code::none) return nullptr;
-  if (block->code != Code::cancel) {
-    forbid(now);
-    block->radius = memory_.d(number_);
-    // fanuc.leading-edge.number-changed: Another D while the mode is on counts for the vector at the end of the block
-    // that has it. A vector that is kept keeps its length.
-    recorder().decide(Clause::fanuc_leading_edge_number_changed, active_ && codes.d.has_value());
-  }
-  return block;
-}
 
-void LeadingEdgeOffset::complete(StageWords& words, const Step& step) const {
-  EdgeBlock& block = own(words);
-  // fanuc.leading-edge.no-movement: A block counts as one without movement if its travel in X Y Z is exactly zero:
-  // rotary axes alone, a tool direction alone, M S T F H alone, a travel of zero. A block with N or O alone is no
-  // block.
-  if (block.code == EdgeBlock::Code::none)
-    block.travels = !recorder().decide(Clause::fanuc_leading_edge_no_movement,
-                                       step.moves.empty() || is_zero(step.moves.front().leg.travel));
-}
-
-void LeadingEdgeOffset::forbid(const StageCommand& now) const {
-  const Codes& codes = now.command.codes;
-  const bool other = codes.compensation && (is_cutter_side(*codes.compensation) || is_tool_side(*codes.compensation));
-  const bool code =
-      codes.one_shot != OneShot::none || codes.workpiece || codes.units || codes.refused_in_space || other;
-  // fanuc.leading-edge.forbidden: Codes that do not go together with the leading edge offset raise
-  // FORBIDDEN_IN_3D_COMPENSATION (the alarm number is not known) in a block after which the mode is on. These are G04
-  // G10 G28 G29 G30 G30.1 G37 G39 G41 G42 G41.2 G42.2 G41.6 G42.6 G45 to G48 G52 G53 G92 G54 to G59 G54.1 G20 G21 G96
-  // G97 G160, G05 except with P10000, and an M, S or T word together with an axis word.
-  if (code || (codes.auxiliary && now.moves()))
-    raise(recorder(), Clause::fanuc_leading_edge_forbidden, AlarmCause::forbidden_in_compensation);
-}
-
-void LeadingEdgeOffset::take(const Step& step) {
-  if (!has_words(step)) {
-    hand_on(step);
-    return;
-  }
-  const EdgeBlock& block = said(step);
-  if (block.code == EdgeBlock::Code::start) {
-    active_ = starting_ = true;
-    vector_ = {};
-    held_ = step;
-  } else if (block.code == EdgeBlock::Code::cancel) {
-    take_cancel(step);
-  } else if (block.travels) {
-    take_moving(step);
-  } else {
-    take_other(step);
-  }
-}
-
-void LeadingEdgeOffset::take_moving(const Step& step) {
-  if (held_) {
-    const Vector& movement = step.moves.front().leg.travel;
-    decide_held();
-    if (starting_) {
-      try {
-        vector_ = rules_.first(movement, held_->rest.tool, said(*held_).radius);
-      } catch (Alarm& alarm) {
-        alarm.line = held_->line;
-        alarm.n = held_->n;
-        held_.reset();
-        throw;
+  // Reads G41.3, G40 and D. Throws Alarm PS5406, PS5408, PS5407, FORBIDDEN_IN_3D_COMPENSATION or PS0029.
+  void read(const BlockWords& now, StepWords& words) override {
+    using Code = EdgeBlock::Code;
+    const Command& command = now.command;
+    const Codes& codes = command.codes;
+    number_ = number(command);
+    auto block = std::make_shared<EdgeBlock>();
+    if (codes.compensation == Compensation::leading_edge) {
+      // fanuc.leading-edge.start-format: An axis word (I J K under G43.5 included), or an M code that stops reading
+      // ahead (fanuc.program.stops-reading-ahead), in the G41.3 block raises PS5406.
+      if (now.moves() || codes.stops_look_ahead)
+        raise(recorder(), Clause::fanuc_leading_edge_start_format, AlarmCause::leading_edge_format);
+      // fanuc.leading-edge.start-in-arc-mode: G41.3 while G02 or G03 is in force raises PS5408.
+      if (command.is_arc_motion())
+        raise(recorder(), Clause::fanuc_leading_edge_start_in_arc_mode, AlarmCause::leading_edge_start);
+      // fanuc.leading-edge.repeated: G41.3 while the mode is on raises PS5407.
+      if (active_) raise(recorder(), Clause::fanuc_leading_edge_repeated, AlarmCause::leading_edge_command);
+      // fanuc.leading-edge.start-with-d0: G41.3 with D0 in force starts nothing: the state stays cancelled, and the
+      // next block may be any block. A number whose value is 0 starts the mode with vectors of length 0. The format of
+      // the block is checked in both cases.
+      if (!recorder().decide(Clause::fanuc_leading_edge_start_with_d0, number_ == 0)) block->code = Code::start;
+    } else if (active_) {
+      // fanuc.leading-edge.d0-cancels: A D0 word while the mode is on cancels it as G40 does.
+      const bool by_number = recorder().decide(Clause::fanuc_leading_edge_d0_cancels, codes.d == 0U);
+      if (codes.compensation == Compensation::cancel || by_number) {
+        // fanuc.leading-edge.cancel-format: An axis word (I J K under G43.5 included) in the block that cancels the
+        // mode raises PS5406.
+        if (now.moves()) raise(recorder(), Clause::fanuc_leading_edge_cancel_format, AlarmCause::leading_edge_format);
+        block->code = Code::cancel;
       }
-    } else {
-      // fanuc.leading-edge.one-block-without-movement: If one block without movement comes between two moving blocks,
-      // the vector is made of the tool direction before that block and the movement after it. The vector is kept
-      // through that block, whatever the tool does there.
-      recorder().decide(Clause::fanuc_leading_edge_one_block_without_movement, !behind_.empty());
-      vector_ = rules_.next(vector_, movement, held_->rest.tool, said(*held_).radius);
+      // fanuc.leading-edge.arc: G02 or G03 while the mode is on raises PS5407, also in the block that cancels the mode:
+      // only G00 and G01 are allowed.
+      if (command.is_arc_motion()) raise(recorder(), Clause::fanuc_leading_edge_arc, AlarmCause::leading_edge_command);
     }
-    release(&step);
+    if (!active_ && block->code == Code::none) return;
+    if (block->code != Code::cancel) {
+      forbid(now);
+      block->radius = memory_.d(number_);
+      // fanuc.leading-edge.number-changed: Another D while the mode is on counts for the vector at the end of the block
+      // that has it. A vector that is kept keeps its length.
+      recorder().decide(Clause::fanuc_leading_edge_number_changed, active_ && codes.d.has_value());
+    }
+    words.edge = std::move(block);
   }
-  held_ = step;
-}
 
-// A block without linear movement.
-void LeadingEdgeOffset::take_other(const Step& step) {
-  // fanuc.leading-edge.no-movement-after-start: The G41.3 block raises PS5407 if the block right after it has no linear
-  // movement: no travel in X Y Z, G40, the end of the program, or a block that raises an alarm of its own.
-  if (step.has_word && starting_)
-    start_alarm(Clause::fanuc_leading_edge_no_movement_after_start, AlarmCause::leading_edge_command);
-  if (!held_) {
-    emit(step);
-    return;
+  void take(Step step) override {
+    Planned b{std::move(step)};
+    if (b.step.words.edge) {
+      b.code = b.step.words.edge->code;
+      if (b.code != EdgeBlock::Code::none) active_ = b.code == EdgeBlock::Code::start;
+      // fanuc.leading-edge.no-movement: A block counts as one without movement if its travel in X Y Z is exactly zero:
+      // rotary axes alone, a tool direction alone, M S T F H alone, a travel of zero. A block with N or O alone is no
+      // block.
+      if (b.code == EdgeBlock::Code::none)
+        b.travels = !recorder().decide(Clause::fanuc_leading_edge_no_movement,
+                                       b.step.moves.empty() || is_zero(b.step.moves.front().leg.travel));
+      b.step.clauses.add(recorder().take_clauses());
+    }
+    window_.push(std::move(b));
   }
-  // A block with N or O alone is no block: any number of them may come, and has nothing to wait for.
-  if (!step.has_word && !behind_.empty()) return;
-  behind_.push_back(step);
-  const auto counted = std::ranges::count_if(behind_, [](const Step& s) { return s.has_word; });
-  if (!step.stops_look_ahead && counted < 2) return;
-  decide_held();
-  // fanuc.leading-edge.kept-without-look-ahead: Before a block that stops the look-ahead (an M code of
-  // fanuc.program.stops-reading-ahead), the vector made before is kept. This holds also if that block is the cancel
-  // block.
+
+  void end() override { window_.end(); }
+  // Throws Alarm PS5407 or PS5408 of a G41.3 block.
+  std::optional<Step> next() override {
+    if (window_.empty()) return std::nullopt;
+    const Planned& front = window_.front();
+    const bool looks_ahead = front.code == EdgeBlock::Code::start || front.travels;
+    const Coming coming = looks_ahead ? what_comes() : Coming{Coming::Kind::none};
+    if (coming.kind == Coming::Kind::unknown) return std::nullopt;
+    Planned b = window_.pop();
+    recorder().at(b.step.line);
+    make_moves(b, coming);
+    return std::move(b.step);
+  }
+
+ private:
+  struct Planned {
+    Step step;
+    EdgeBlock::Code code = EdgeBlock::Code::none;
+    bool travels = false;  // it has a linear movement, X Y Z
+  };
+  // What follows a block that makes a vector.
+  struct Coming {
+    enum class Kind : std::uint8_t {
+      unknown,  // as far as the program has been read
+      moves,    // a block with a linear movement
+      cancels,  // the block that cancels the mode
+      none      // neither, by `why`
+    };
+    Kind kind = Kind::unknown;
+    const Planned* next = nullptr;
+    bool between = false;  // blocks without movement come between
+    Clause why{};
+  };
+
+  [[nodiscard]] std::uint32_t number(const Command& command) const { return command.codes.d.value_or(number_); }
+
+  const OffsetMemory& memory_;
+  void forbid(const BlockWords& now) const {
+    const Codes& codes = now.command.codes;
+    const bool other = codes.compensation && (is_cutter_side(*codes.compensation) || is_tool_side(*codes.compensation));
+    const bool code =
+        codes.one_shot != OneShot::none || codes.workpiece || codes.units || codes.refused_in_space || other;
+    // fanuc.leading-edge.forbidden: Codes that do not go together with the leading edge offset raise
+    // FORBIDDEN_IN_3D_COMPENSATION (the alarm number is not known) in a block after which the mode is on. These are G04
+    // G10 G28 G29 G30 G30.1 G37 G39 G41 G42 G41.2 G42.2 G41.6 G42.6 G45 to G48 G52 G53 G92 G54 to G59 G54.1 G20 G21 G96
+    // G97 G160, G05 except with P10000, and an M, S or T word together with an axis word.
+    if (code || (codes.auxiliary && now.moves()))
+      raise(recorder(), Clause::fanuc_leading_edge_forbidden, AlarmCause::forbidden_in_compensation);
+  }
+
+  // fanuc.leading-edge.one-block-without-movement: If one block without movement comes between two moving blocks, the
+  // vector is made of the tool direction before that block and the movement after it. The vector is kept through that
+  // block, whatever the tool does there.
   // fanuc.leading-edge.two-blocks-without-movement: If two or more blocks without movement come in a row, the vector
   // made before is kept: the moving block before them ends with the vector it started with. What exactly is kept is our
   // reading.
-  recorder().reach(step.stops_look_ahead ? Clause::fanuc_leading_edge_kept_without_look_ahead
-                                         : Clause::fanuc_leading_edge_two_blocks_without_movement);
-  release(&step);
-}
-
-// The block before makes its vector from its own movement; then the tool returns to the programmed point.
-void LeadingEdgeOffset::take_cancel(const Step& step) {
-  if (starting_) start_alarm(Clause::fanuc_leading_edge_no_movement_after_start, AlarmCause::leading_edge_command);
-  if (held_) {
-    decide_held();
-    if (step.stops_look_ahead) {
-      recorder().reach(Clause::fanuc_leading_edge_kept_without_look_ahead);
-    } else {
-      // fanuc.leading-edge.before-cancel: The block before G40 makes its vector from its own movement and the tool
-      // direction at its end. That the ranges near 0, 90 and 180 degrees hold here too, and that one block without
-      // movement may come between, is our definition.
-      recorder().reach(Clause::fanuc_leading_edge_before_cancel);
-      vector_ = rules_.next(vector_, held_->moves.front().leg.travel, held_->rest.tool, said(*held_).radius);
-    }
-    release(&step);
-  }
-  active_ = false;
-  vector_ = {};
-  // fanuc.leading-edge.cancel: At G40 the tool returns by the vector to the programmed point, in rapid traverse under
-  // G00, otherwise straight with the feed. G40 while nothing is on does nothing.
-  recorder().reach(Clause::fanuc_leading_edge_cancel);
-  Step cancel = step;
-  cancel.clauses.add(recorder().take_clauses());
-  emit(cancel, spec::Cause::cancel);
-}
-
-void LeadingEdgeOffset::finish() {
-  if (!held_) return;
-  if (starting_) start_alarm(Clause::fanuc_leading_edge_no_movement_after_start, AlarmCause::leading_edge_command);
-  decide_held();
+  // fanuc.leading-edge.kept-without-look-ahead: Before a block that stops the look-ahead (an M code of
+  // fanuc.program.stops-reading-ahead), the vector made before is kept. This holds also if that block is the cancel
+  // block.
   // fanuc.leading-edge.kept-at-the-end: At the end of the program, and before a block that ends the run by an alarm,
   // the vector made before is kept.
-  recorder().reach(Clause::fanuc_leading_edge_kept_at_the_end);
-  release(nullptr);
-}
-
-void LeadingEdgeOffset::release(const Step* now) {
-  held_->clauses.add(recorder().take_clauses());
-  if (starting_) {
-    emit(*held_, spec::Cause::start_up);
-    starting_ = false;
-  } else {
-    emit(*held_);
+  [[nodiscard]] Coming what_comes() const {
+    using Kind = Coming::Kind;
+    const bool starts = window_.front().code == EdgeBlock::Code::start;
+    int still = 0;
+    for (std::size_t i = 0; i < window_.following(); ++i) {
+      const Planned& b = window_.after(i);
+      // A block with N or O alone is no block.
+      if (!b.step.has_word) continue;
+      if (b.travels) return {Kind::moves, &b, i > 0, {}};
+      if (starts) return {Kind::none};
+      if (b.step.stops_look_ahead)
+        return {.kind = Kind::none, .why = Clause::fanuc_leading_edge_kept_without_look_ahead};
+      if (b.code == EdgeBlock::Code::cancel) return {Kind::cancels};
+      if (++still == 2) return {.kind = Kind::none, .why = Clause::fanuc_leading_edge_two_blocks_without_movement};
+    }
+    return {.kind = window_.ended() ? Kind::none : Kind::unknown, .why = Clause::fanuc_leading_edge_kept_at_the_end};
   }
-  for (const Step& step : behind_) emit(step);
-  held_.reset();
-  behind_.clear();
-  if (now != nullptr) recorder().at(now->line);
-}
 
-void LeadingEdgeOffset::emit(const Step& step) {
-  Step out = step;
-  for (Move& move : out.moves) move.offset = vector_.vector;
-  hand_on(out);
-}
+  // The moves of a block, and the vector at its end.
+  void make_moves(Planned& b, const Coming& coming) {
+    switch (b.code) {
+      case EdgeBlock::Code::start:
+        vector_ = vector_at_start(b, coming);
+        insert_move(b.step, spec::Cause::start_up);
+        break;
+      case EdgeBlock::Code::cancel:
+        // fanuc.leading-edge.cancel: At G40 the tool returns by the vector to the programmed point, in rapid traverse
+        // under G00, otherwise straight with the feed. G40 while nothing is on does nothing.
+        recorder().reach(Clause::fanuc_leading_edge_cancel);
+        vector_ = {};
+        insert_move(b.step, spec::Cause::cancel);
+        break;
+      case EdgeBlock::Code::none:
+        if (b.travels) vector_ = vector_at_end(b, coming);
+        break;
+    }
+    b.step.clauses.add(recorder().take_clauses());
+    if (b.step.words.edge)
+      for (Move& move : b.step.moves) move.offset = vector_.vector;
+  }
 
-void LeadingEdgeOffset::emit(const Step& step, spec::Cause inserted) {
-  Step out = step;
-  out.moves = {step.rest};
-  out.moves.front().leg.cause = inserted;
-  out.moves.front().offset = vector_.vector;
-  hand_on(out);
-}
+  [[nodiscard]] EdgeVector vector_at_end(const Planned& b, const Coming& coming) const {
+    switch (coming.kind) {
+      case Coming::Kind::moves:
+        recorder().decide(Clause::fanuc_leading_edge_one_block_without_movement, coming.between);
+        return rules_.next(vector_, coming.next->step.moves.front().leg.travel, b.step.rest.tool,
+                           b.step.words.edge->radius);
+      case Coming::Kind::cancels:
+        // fanuc.leading-edge.before-cancel: The block before G40 makes its vector from its own movement and the tool
+        // direction at its end. That the ranges near 0, 90 and 180 degrees hold here too, and that one block without
+        // movement may come between, is our definition.
+        recorder().reach(Clause::fanuc_leading_edge_before_cancel);
+        return rules_.next(vector_, b.step.moves.front().leg.travel, b.step.rest.tool, b.step.words.edge->radius);
+      default:
+        recorder().reach(coming.why);
+        return vector_;
+    }
+  }
 
-void LeadingEdgeOffset::start_alarm(Clause clause, AlarmCause cause) {
-  decide_held();
-  recorder().reach(clause);
-  Alarm raised(cause);
-  raised.line = held_->line;
-  raised.n = held_->n;
-  held_.reset();
-  throw Alarm(raised);
+  [[nodiscard]] EdgeVector vector_at_start(const Planned& b, const Coming& coming) {
+    try {
+      // fanuc.leading-edge.no-movement-after-start: The G41.3 block raises PS5407 if the block right after it has no
+      // linear movement: no travel in X Y Z, G40, the end of the program, or a block that raises an alarm of its own.
+      if (coming.kind != Coming::Kind::moves)
+        raise(recorder(), Clause::fanuc_leading_edge_no_movement_after_start, AlarmCause::leading_edge_command);
+      return rules_.first(coming.next->step.moves.front().leg.travel, b.step.rest.tool, b.step.words.edge->radius);
+    } catch (Alarm& alarm) {
+      alarm.line = b.step.line;
+      alarm.n = b.step.n;
+      window_.clear();
+      throw;
+    }
+  }
+
+  // One move, made where the block ends.
+  void insert_move(Step& b, spec::Cause cause) {
+    b.moves = {b.rest};
+    b.moves.front().leg.cause = cause;
+  }
+
+  EdgeRules rules_;
+  std::uint32_t number_ = 0;  // D in force
+  bool active_ = false;       // after the block read last
+
+  Window<Planned> window_;
+  EdgeVector vector_;  // where the tool stands
+};
+
+}  // namespace
+
+std::unique_ptr<Pass> leading_edge_offset(const Pass::Place& place) {
+  return std::make_unique<LeadingEdgeOffset>(place);
 }
 
 }  // namespace toolcomp::model

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One block on its way through the stages: where it goes and with what tool.
+// One block on its way through the passes: where it goes and with what tool.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@
 
 namespace toolcomp::model {
 
-// Where a move goes, before compensation; a stage of compensation may change type, cause and arc.
+// Where a move goes, before compensation; a pass of compensation may change type, cause and arc.
 struct Leg {
   spec::MoveType type = spec::MoveType::linear;
   spec::Cause cause = spec::Cause::programmed;
@@ -49,9 +49,7 @@ struct Move {
   std::shared_ptr<const OwnMotion> inside;  // of the own move of a block run under it
 };
 
-class StageWords;  // stage.h
-
-// What a stage of compensation says before the moves of a block.
+// What a pass of compensation says before the moves of a block.
 struct Warning {
   spec::Name number;
   const char* message = "";  // static text
@@ -66,23 +64,33 @@ struct DrilledHole {
   Coordinate bottom;
 };
 
+// What a block says to each pass of compensation; nothing if it does not concern the pass. Only the pass looks inside.
+struct EdgeBlock;
+struct CutterBlock;
+struct ToolSideBlock;
+struct StepWords {
+  std::shared_ptr<EdgeBlock> edge;
+  std::shared_ptr<CutterBlock> cutter;
+  std::shared_ptr<ToolSideBlock> side;
+
+  [[nodiscard]] bool any() const { return edge || cutter || side; }
+};
+
 // A block ready to be compensated.
 struct Step {
   std::uint64_t line = 0;
   std::optional<std::uint64_t> n;
-  // In order: none, one, or the two of a reference return or of a measurement. Behind a stage of compensation also the
+  // In order: none, one, or the two of a reference return or of a measurement. After a pass of compensation also the
   // moves it inserts.
   std::vector<Move> moves;
   std::vector<DrilledHole> holes;  // in their place: no compensation is on
-  // The place where the block ends, for a move inserted there; its type is that of group 01. Present where some stage
+  // The place where the block ends, for a move inserted there; its type is that of group 01. Present if some pass
   // has words.
   Move rest;
   bool has_word = false;  // a word other than N and O
   bool stops_look_ahead = false;
   bool ends_program = false;
-  // What the block says to each stage of compensation, in the order of the pipeline; nothing for those it does not
-  // concern.
-  std::vector<std::shared_ptr<const StageWords>> words;
+  StepWords words;
   std::optional<Warning> warning;
   SharedZero zero;                       // behind the block, where motions are asked for
   std::optional<OffsetSetting> setting;  // written at the end of the block

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "model/basis/recorder.h"
+#include "model/fanuc/passes/passes.h"
 #include "model/fanuc/program/interpreter.h"
-#include "model/fanuc/program/pipeline.h"
 #include "model/fanuc/tool_center_point_control/rules.h"
 #include "model/fanuc/tool_length_offset/tool_length_offset.h"
 #include "model/fanuc/tool_posture_control/tool_posture_control.h"
@@ -51,8 +51,8 @@ class ToolCenterPointControl {
   ToolCenterPointControl(const spec::Setup& setup, Recorder& recorder, const WorkCoordinates& work,
                          const Position& start, bool with_motion);
 
-  // The words of a block. `stages` tell which compensation is on. Throws the alarms of the mode that words alone raise.
-  TipMarks read(const Command& command, const ToolLengthOffset& length, const Pipeline& stages);
+  // The words of a block. `passes` tell which compensation is on. Throws the alarms of the mode that words alone raise.
+  TipMarks read(const Command& command, const ToolLengthOffset& length, const Passes& passes);
 
   // The block ends the mode, or starts it again: what is called the position of the tool is renamed. `standing`: where
   // the last block has ended, with the shift left by G45 to G48.
@@ -77,8 +77,8 @@ class ToolCenterPointControl {
   // words.cpp
   void restrict_mode(const Command& command, const ToolLengthOffset& length, const TipMarks& marks) const;
   void restrict_start(const Command& command, const TipMarks& marks);
-  void restrict_compensation(const Command& command, const TipMarks& marks, const Pipeline& stages) const;
-  void restrict_words(const Command& command, const TipMarks& marks, const Pipeline& stages) const;
+  void restrict_compensation(const Command& command, const TipMarks& marks, const Passes& passes) const;
+  void restrict_words(const Command& command, const TipMarks& marks, const Passes& passes) const;
   void restrict_arc(const Command& command, const TipMarks& marks) const;
   void read_posture_word(const Command& command);
   [[nodiscard]] bool has_axis_word(const Command& command, bool (*is_of)(char)) const;

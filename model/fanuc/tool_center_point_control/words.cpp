@@ -28,7 +28,7 @@ bool ToolCenterPointControl::has_axis_word(const Command& command, bool (*is_of)
   return false;
 }
 
-TipMarks ToolCenterPointControl::read(const Command& command, const ToolLengthOffset& length, const Pipeline& stages) {
+TipMarks ToolCenterPointControl::read(const Command& command, const ToolLengthOffset& length, const Passes& passes) {
   const std::optional<LengthCode>& code = command.codes.length;
   TipMarks marks;
   marks.starts = code && is_tip_control(*code);
@@ -40,9 +40,9 @@ TipMarks ToolCenterPointControl::read(const Command& command, const ToolLengthOf
   if (!marks.tip_control && !marks.ends) return marks;
   restrict_mode(command, length, marks);
   if (marks.starts) restrict_start(command, marks);
-  restrict_compensation(command, marks, stages);
+  restrict_compensation(command, marks, passes);
   if (!marks.tip_control) return marks;
-  if (marks.directed) restrict_words(command, marks, stages);
+  if (marks.directed) restrict_words(command, marks, passes);
   restrict_arc(command, marks);
   if (marks.starts) {
     const spec::Decimal* const lean = marks.directed ? word(command, 'Q') : nullptr;
@@ -113,8 +113,8 @@ void ToolCenterPointControl::read_posture_word(const Command& command) {
 }
 
 void ToolCenterPointControl::restrict_compensation(const Command& command, const TipMarks& marks,
-                                                   const Pipeline& stages) const {
-  const Pipeline::InForce in_space = stages.in_force(Extent::space, command);
+                                                   const Passes& passes) const {
+  const Passes::InForce in_space = passes.in_force(Extent::space, command);
   // fanuc.tool-center-point.format: TOOL_DIRECTION_FORMAT is raised by G43.4 or G43.5, and by the G49 that ends it, in
   // the leading edge offset or in the block that starts it, or if tool side compensation is on before or after the
   // block. G43.4 or G43.5 in a block under G02 or G03 raises it too.
@@ -130,10 +130,9 @@ void ToolCenterPointControl::restrict_compensation(const Command& command, const
           AlarmCause::compensation_in_workpiece_system);
 }
 
-void ToolCenterPointControl::restrict_words(const Command& command, const TipMarks& marks,
-                                            const Pipeline& stages) const {
+void ToolCenterPointControl::restrict_words(const Command& command, const TipMarks& marks, const Passes& passes) const {
   if (has_axis_word(command, spec::is_rotary_axis)) {
-    stages.refuse_rotary_word(command);
+    passes.refuse_rotary_word(command);
     // fanuc.tool-center-point.rotary-word: A rotary axis word in a block under G43.5, the block of the code included,
     // raises PS5421 (with tool side compensation PS5460, fanuc.tool-side.rotary-word).
     raise(recorder_, Clause::fanuc_tool_center_point_rotary_word, AlarmCause::tool_direction);

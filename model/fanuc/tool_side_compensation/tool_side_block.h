@@ -8,7 +8,7 @@
 
 namespace toolcomp::model {
 
-struct ToolSideBlock final : CornerBlock {
+struct ToolSideBlock : CornerBlock {
   std::optional<int> treatment;   // Q: 1, 2 or 3; 0 where it is none of them
   bool wrong_mode = false;        // G41.2 under G43.5, or G41.6 without it
   bool leaves_the_path = false;   // a code of group 00

@@ -1,272 +1,418 @@
 // SPDX-License-Identifier: Apache-2.0
+// Tool side compensation: G41.2 G42.2, under G43.5 G41.6 G42.6, and G40. A pass over the blocks in order, each with
+// those that follow it.
+//
+// A block is first planned: what it is to the mode, and how it moves at each corner before it (mode.h). Its vectors are
+// made as soon as the next block that moves in the plane at its end is known, or that there is none near enough. It
+// goes out when the interference check of the next block that makes vectors has left them as they are.
+// spec/formal/program/SidePass.v has the same functions.
 #include "model/fanuc/tool_side_compensation/tool_side_compensation.h"
 
+#include <cstdint>
+#include <deque>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "model/basis/alarm.h"
 #include "model/basis/number.h"
+#include "model/basis/window.h"
+#include "model/fanuc/passes/corner_moves.h"
+#include "model/fanuc/passes/interference_check.h"
+#include "model/fanuc/program/blocks_read.h"
+#include "model/fanuc/program/pass.h"
+#include "model/fanuc/tool_side_compensation/checked_side_path.h"
+#include "model/fanuc/tool_side_compensation/mode.h"
+#include "model/fanuc/tool_side_compensation/plane_change.h"
+#include "model/fanuc/tool_side_compensation/rules.h"
+#include "model/fanuc/tool_side_compensation/tool_side_block.h"
+#include "model/fanuc/tool_side_compensation/tool_side_words.h"
 
 namespace toolcomp::model {
 namespace {
 
-// Vectors are zero where their offset is, and nowhere else: such components are known.
-bool is_zero_vector(const Vector& v) {
-  const auto zero = [](const Real& x) { return x.is_rational() && x.sign() == Sign::zero; };
-  return zero(v.x) && zero(v.y) && zero(v.z);
-}
+// Hands on every move with its compensation vector (Move::offset), the moves that belong to a block but are inserted
+// beside its own, arcs as the tool runs them. Clauses: fanuc.tool-side.*, and those of fanuc.cutter-c.* that they name;
+// on(), on_after(): fanuc.tool-side.on.
+class ToolSideCompensation final : public Pass {
+ public:
+  // Throws spec::InputError for a parameter that makes no sense.
+  explicit ToolSideCompensation(const Place& place)
+      : Pass(place),
+        limit_(blocks_read(place.setup) - 1),
+        words_(place.setup, place.memory, place.recorder),
+        rules_(place.setup, place.recorder),
+        plane_change_(place.setup, place.recorder),
+        axes_(place.setup.axes),
+        checks_interference_(!place.setup.bit(5008, 0)),
+        type_c_(place.setup.bit(5003, 1)),
+        on_mixed_machine_(parameter(place.setup, 19680) == 21),
+        series_30i_(place.setup.series == spec::Series::series_30i),
+        mode_(place.setup, place.recorder, limit_) {}
 
-}  // namespace
-
-// fanuc.tool-side.one-block-without-movement: If one block between A and B does not move in the plane at the end of A
-// (a rotation alone, a movement along the tool), the group is made of A and B in that plane, with VT before the first
-// block between.
-// fanuc.tool-side.no-next-block: If there is no B, block A, also a start-up block, ends with the vector perpendicular
-// to it too. There is no B at the end of the program, before a block that raises an alarm when it is read or leaves the
-// run undecided, and before G40 or number 0 in a block that does not move in the plane at the end of A.
-ToolSideCompensation::ToolSideCompensation(const Place& place)
-    : StageOf(place),
-      words_(place.setup, place.memory, place.recorder),
-      rules_(place.setup, place.recorder),
-      plane_change_(place.setup, place.recorder),
-      axes_(place.setup.axes),
-      limit_(place.setup.parameter(19630) ? plain(*place.setup.parameter(19630)) : Rational(0)),
-      type_c_(place.setup.bit(5003, 1)),
-      on_mixed_machine_(parameter(place.setup, 19680) == 21),
-      series_30i_(place.setup.series == spec::Series::series_30i),
-      ahead_(place, *this,
-             {LookAhead::Between::at_last_head, Clause::fanuc_tool_side_one_block_without_movement,
-              Clause::fanuc_tool_side_no_next_block, blocks_read(place.setup) - 1}) {}
-
-void ToolSideCompensation::refuse_rotary_word(const Command& command) const {
-  // fanuc.tool-side.rotary-word: A rotary axis word in a block under G43.5 raises PS5460 if tool side compensation is
-  // on before or after the block. Otherwise it raises PS5421 (fanuc.tool-center-point.rotary-word).
-  if (on() || on_after(command))
-    raise(recorder(), Clause::fanuc_tool_side_rotary_word, AlarmCause::rotary_word_in_compensation);
-}
-
-std::shared_ptr<StageWords> ToolSideCompensation::read(const StageCommand& now) {
-  std::shared_ptr<ToolSideBlock> block = words_.read(now);
-  if (!block) return nullptr;
-  check(*block);
-  words_.add_value(*block);
-  return block;
-}
-
-void ToolSideCompensation::check(const ToolSideBlock& words) const {
-  // fanuc.tool-side.code-for-the-mode: Under G43.5, where I J K give the tool direction, the codes are G41.6 and G42.6;
-  // otherwise they are G41.2 and G42.2. The codes of both pairs mean the same (a program of the manual shows G42.6).
-  if (words.wrong_mode) raise(recorder(), Clause::fanuc_tool_side_code_for_the_mode, AlarmCause::side_mode);
-  // fanuc.tool-side.plane-selected: A G17, G18 or G19 that changes the plane raises PS0037 if tool side compensation is
-  // on before the block. This holds also for the block that cancels it.
-  if (on() && words.plane_changed) raise(recorder(), Clause::fanuc_tool_side_plane_selected, AlarmCause::plane_change);
-  forbid(words);
-  // fanuc.tool-side.q-format: A Q with another value than 1, 2 or 3 in a block after which tool side compensation is on
-  // raises Q_FORMAT, a name of ours, whatever else the block does. In other blocks Q is not looked at.
-  if (words.wanted() && words.treatment == 0)
-    raise(recorder(), Clause::fanuc_tool_side_q_format, AlarmCause::treatment);
-  const bool starts = words.wanted() && !ahead_.in_mode() && ahead_.held().empty();
-  const bool cancels = !words.wanted() && ahead_.in_mode();
-  check_type_c(words, starts, cancels);
-  // fanuc.cutter-c.start-or-cancel-in-arc: An arc as start-up block or as cancel block raises PS0034. The words of the
-  // block tell whether it is an arc: G02 or G03 in force, no code of group 00 in the block (G45 to G48 do not count
-  // here), and an axis word of the plane, R, I, J or K in the block. In tool side compensation I, J and K count even if
-  // they are a tool direction, because the manual speaks of the mode.
-  if (words.arc_words && (starts || cancels))
-    raise(recorder(), Clause::fanuc_cutter_c_start_or_cancel_in_arc, AlarmCause::arc_at_start_or_cancel);
-  // fanuc.tool-side.arc-on-mixed-machine: On the 30i only G00 and G01 are allowed in compensation on a mixed machine
-  // (19680 = 21). There an arc in a block after which tool side compensation is on raises PS5461; the words of the
-  // block tell whether it is an arc, as in fanuc.cutter-c.start-or-cancel-in-arc. The 16i runs the arc.
-  if (words.arc_words && words.wanted() && on_mixed_machine_ &&
-      recorder().decide(Clause::fanuc_tool_side_arc_on_mixed_machine, series_30i_))
-    throw Alarm(AlarmCause::arc_in_compensation);
-}
-
-void ToolSideCompensation::forbid(const ToolSideBlock& words) const {
-  const bool around = (on() || words.wanted()) && words.leaves_the_path;
-  const bool after =
-      words.wanted() && (words.refused_while_on || (words.auxiliary && (words.moves || words.arc_words)));
-  // fanuc.tool-side.forbidden: Codes that do not go together with tool side compensation raise
-  // FORBIDDEN_IN_3D_COMPENSATION (the alarm number is not known). In a block after which the compensation is on, these
-  // are G54 to G59, G54.1, G20, G21, G96, G97, G160, G05 except with P10000, and an M, S or T word together with an
-  // axis word (I J K under G43.5 included) or in an arc.
-  if (around || after || (on() && words.other_compensation))
-    raise(recorder(), Clause::fanuc_tool_side_forbidden, AlarmCause::forbidden_in_compensation);
-}
-
-void ToolSideCompensation::check_type_c(const ToolSideBlock& words, bool starts, bool cancels) const {
-  if (!type_c_ || !(starts || cancels)) return;
-  // fanuc.tool-side.type-c-format: A block of type C that makes or removes the vector raises TYPE_C_FORMAT (a name of
-  // ours, the number is not known) if it has an axis word, linear or rotary (I J K under G43.5 included), or if G02 or
-  // G03 is in force. A block that makes the vector also raises it with an M code that stops reading ahead
-  // (fanuc.program.stops-reading-ahead), or if the block right after it does not move in the plane of VT before that
-  // block (its own end does not matter), cancels, raises an alarm of its own (DIR_CHANGE_AT_STARTUP and PS0038 too),
-  // leaves the run undecided or is not there.
-  if (words.moves || words.arc_mode || (starts && words.stops_look_ahead))
-    raise(recorder(), Clause::fanuc_tool_side_type_c_format, AlarmCause::type_c_format);
-}
-
-void ToolSideCompensation::take(const Step& step) {
-  if (!has_words(step) || !said(step).is_block) {
-    hand_on(step);
-    return;
+  [[nodiscard]] Extent extent() const override { return Extent::space; }
+  [[nodiscard]] int look_ahead() const override { return 2 * limit_; }
+  [[nodiscard]] bool on() const override { return mode_.is_on_or_asked_for(); }
+  [[nodiscard]] bool on_after(const Command& command) const override { return words_.wanted(command); }
+  // Throws Alarm PS5460.
+  void refuse_rotary_word(const Command& command) const override {
+    // fanuc.tool-side.rotary-word: A rotary axis word in a block under G43.5 raises PS5460 if tool side compensation is
+    // on before or after the block. Otherwise it raises PS5421 (fanuc.tool-center-point.rotary-word).
+    if (on() || on_after(command))
+      raise(recorder(), Clause::fanuc_tool_side_rotary_word, AlarmCause::rotary_word_in_compensation);
   }
-  Step now = step;
-  const ToolSideBlock& block = said(now);
-  const bool in_force = block.side != CutterSide::none;
-  // fanuc.cutter-c.number-zero: Number 0 in force acts as G40 does. G41 or G42 stays in force, and a later number other
-  // than 0 asks for the mode again. A number other than 0 whose value is 0 does not cancel: the mode starts and stays
-  // on.
-  const bool wanted = in_force && !recorder().decide(Clause::fanuc_cutter_c_number_zero, block.number == 0);
-  const Direction tool = now.rest.tool;
-  // fanuc.tool-side.look-ahead-stopped: An M code that stops reading ahead (fanuc.program.stops-reading-ahead) stops
-  // the look-ahead. The block A before it, also a start-up block, ends with the vector perpendicular to it.
-  if (now.stops_look_ahead) ahead_.end_before(now, Clause::fanuc_tool_side_look_ahead_stopped);
-  Movement movement;
-  if (wanted || ahead_.in_mode()) movement = movement_of(now);
-  const bool started = ahead_.holds(Held::Kind::lone_start);
-  // The block right behind a lone start must move there and stay in the mode.
-  if (started && (!wanted || !movement.starts.front())) ahead_.end_before(now);
-  if (!ahead_.in_mode() && !started)
-    take_while_off(now, wanted, movement);
-  else if (wanted)
-    take_in_mode(now, movement);
-  else if (ahead_.mode == CornerMode::on || movement.end)
-    take_cancel(now, movement);
-  else
-    ahead_.keep(now);
-  before_ = tool;
-}
 
-void ToolSideCompensation::finish() { ahead_.end(); }
-
-void ToolSideCompensation::take_while_off(Step& now, bool wanted, Movement& movement) {
-  ahead_.mode = wanted ? CornerMode::waiting : CornerMode::off;
-  // fanuc.tool-side.type-c: Start-up and cancel are of type C if No. 5003 bit 1, SUV, is 1, whatever bit 0 is. If SUV
-  // is 0, bit 0 chooses between the other two types (fanuc.tool-side.type-b).
-  if (wanted && recorder().decide(Clause::fanuc_tool_side_type_c, type_c_)) {
-    start(now, Held::Kind::lone_start, movement);
-  } else if (wanted && movement.end) {
-    // fanuc.tool-side.start-up: With types A and B, if a code and a number other than 0 are in force and there is no
-    // vector yet, the next block that moves in the plane (of VT at its own end) is the start-up block. The tool goes
-    // straight from the uncompensated start of that block to the first head of the group at its end, which is made in
-    // the plane there; the cause is start-up.
-    recorder().reach(Clause::fanuc_tool_side_start_up);
-    ahead_.mode = CornerMode::on;
-    start(now, Held::Kind::start_up, movement);
-  } else {
-    ahead_.emit(now);
+  // From the first G41.2, G42.2, G41.6 or G42.6 of a program on. Throws Alarm TOOL_SIDE_MODE, PS0037,
+  // FORBIDDEN_IN_3D_COMPENSATION, Q_FORMAT, TYPE_C_FORMAT, PS0034 or PS0029.
+  void read(const BlockWords& now, StepWords& words) override {
+    words.side = words_.read(now);
+    if (!words.side) return;
+    check(*words.side);
+    words_.add_value(*words.side);
   }
-}
 
-void ToolSideCompensation::start(Step& now, Held::Kind kind, Movement& movement) {
-  const CutterOffset offset = offset_of(recorder(), said(now).side, said(now).offset);
-  if (movement.end) movement.end->offset = offset.left();
-  hold(now, kind, offset, movement);
-}
-
-void ToolSideCompensation::take_in_mode(Step& now, Movement& movement) {
-  // fanuc.cutter-c.restart-before-removal: If G41 or G42 with a number other than 0 is in force again after a lone G40
-  // or number 0, before the vector is removed, the run is undecided at that block. The blocks before it are given as if
-  // it were absent. A vector that is exactly zero is removed at once.
-  if (ahead_.mode == CornerMode::leaving)
-    ahead_.leave_open_at(now, Clause::fanuc_cutter_c_restart_before_removal,
-                         "tool side compensation again before the vector of the cancelled mode is removed");
-  CutterOffset offset;
-  if (movement.moves()) {
-    const Leg& leg = now.moves.front().leg;
-    // fanuc.cutter-c.arc-ends-in-center: An arc block with G41 or G42 and a number other than 0 in force raises PS0038
-    // if its centre is its start or its end; both cases are alike. This is an alarm of a command. It comes after the
-    // alarms that the words alone raise (PS0034 of a start-up in an arc among them) and after those of the length
-    // offset.
-    if (leg.arc && !leg.arc->sweep)
-      raise(recorder(), Clause::fanuc_cutter_c_arc_ends_in_center, AlarmCause::arc_ends_in_center);
-    offset = ahead_.next_offset(now, !movement.starts.empty() && movement.starts.front());
-    look_at_movement(now, movement, offset);
+  void see(const BlockWay& way, StepWords& words) const override {
+    if (words.side) words.side->add_place(way);
   }
-  meet_corners(now, movement, offset);
-  if (movement.end) {
-    hold(now, Held::Kind::moving, offset, movement);
-    return;
+  void take(Step step) override {
+    SidePlan plan;
+    if (step.words.side && step.words.side->is_block) plan = mode_.next(*step.words.side, step);
+    step.clauses.add(recorder().take_clauses());
+    step.warning = plan.warning;
+    window_.push({std::move(step), std::move(plan)});
   }
-  if (movement.moves()) ahead_.moved(offset);
-  const bool cuts_corner = movement.moves_behind();
-  const bool is_next = ahead_.held().empty() || ahead_.held().back().met;
-  // fanuc.tool-side.along-the-tool-at-its-end: A block that is B of a corner but does not move in the plane at its own
-  // end has no vector made there. This happens if the tool turns in the block so that the displacement is along the
-  // tool there, or shorter than 19630 as seen there. The block ends with the last vector at its start, and the next
-  // block that moves at its own end starts from that vector, without a corner.
-  if (cuts_corner) recorder().reach(Clause::fanuc_tool_side_along_the_tool_at_its_end);
-  ahead_.keep(now);
-  if (cuts_corner && is_next) ahead_.leave_corner();
-}
 
-void ToolSideCompensation::meet_corners(Step& now, const Movement& movement, const CutterOffset& offset) {
-  const bool cancels = !said(now).wanted();
+  void end() override { window_.end(); }
+  std::optional<Step> next() override {
+    while (made_.empty()) {
+      if (window_.empty()) return std::nullopt;
+      const Ahead ahead = window_.front().plan.number > 0 ? look() : Ahead{.kind = Ahead::Kind::none};
+      if (ahead.kind == Ahead::Kind::unknown) return std::nullopt;
+      Planned b = window_.pop();
+      recorder().at(b.step.line);
+      make_moves(b, ahead);
+    }
+    Step step = std::move(made_.front());
+    made_.pop_front();
+    return step;
+  }
+
+ private:
+  struct Planned {
+    Step step;
+    SidePlan plan;
+  };
+  // What follows a block that makes a vector.
+  struct Ahead {
+    enum class Kind : std::uint8_t {
+      unknown,  // as far as the program has been read
+      next,     // a block that makes a corner with it
+      none      // no such block, by `why`
+    };
+    Kind kind = Kind::unknown;
+    const Planned* next = nullptr;
+    const SideEnd* start = nullptr;  // how that block leaves the corner
+    bool repeated = false;           // the code repeated in it, or in a block between
+    bool between = false;            // blocks without movement come between
+    Clause why{};
+  };
+
+  void check(const ToolSideBlock& words) const {
+    // fanuc.tool-side.code-for-the-mode: Under G43.5, where I J K give the tool direction, the codes are G41.6 and
+    // G42.6; otherwise they are G41.2 and G42.2. The codes of both pairs mean the same (a program of the manual shows
+    // G42.6).
+    if (words.wrong_mode) raise(recorder(), Clause::fanuc_tool_side_code_for_the_mode, AlarmCause::side_mode);
+    // fanuc.tool-side.plane-selected: A G17, G18 or G19 that changes the plane raises PS0037 if tool side compensation
+    // is on before the block. This holds also for the block that cancels it.
+    if (on() && words.plane_changed)
+      raise(recorder(), Clause::fanuc_tool_side_plane_selected, AlarmCause::plane_change);
+    forbid(words);
+    // fanuc.tool-side.q-format: A Q with another value than 1, 2 or 3 in a block after which tool side compensation is
+    // on raises Q_FORMAT, a name of ours, whatever else the block does. In other blocks Q is not looked at.
+    if (words.wanted() && words.treatment == 0)
+      raise(recorder(), Clause::fanuc_tool_side_q_format, AlarmCause::treatment);
+    const bool starts = words.wanted() && !mode_.is_on() && !mode_.is_pending();
+    const bool cancels = !words.wanted() && mode_.is_on();
+    check_type_c(words, starts, cancels);
+    // fanuc.cutter-c.start-or-cancel-in-arc: An arc as start-up block or as cancel block raises PS0034. The words of
+    // the block tell whether it is an arc: G02 or G03 in force, no code of group 00 in the block (G45 to G48 do not
+    // count here), and an axis word of the plane, R, I, J or K in the block. In tool side compensation I, J and K count
+    // even if they are a tool direction, because the manual speaks of the mode.
+    if (words.arc_words && (starts || cancels))
+      raise(recorder(), Clause::fanuc_cutter_c_start_or_cancel_in_arc, AlarmCause::arc_at_start_or_cancel);
+    // fanuc.tool-side.arc-on-mixed-machine: On the 30i only G00 and G01 are allowed in compensation on a mixed machine
+    // (19680 = 21). There an arc in a block after which tool side compensation is on raises PS5461; the words of the
+    // block tell whether it is an arc, as in fanuc.cutter-c.start-or-cancel-in-arc. The 16i runs the arc.
+    if (words.arc_words && words.wanted() && on_mixed_machine_ &&
+        recorder().decide(Clause::fanuc_tool_side_arc_on_mixed_machine, series_30i_))
+      throw Alarm(AlarmCause::arc_in_compensation);
+  }
+
+  void forbid(const ToolSideBlock& words) const {
+    const bool around = (on() || words.wanted()) && words.leaves_the_path;
+    const bool after =
+        words.wanted() && (words.refused_while_on || (words.auxiliary && (words.moves || words.arc_words)));
+    // fanuc.tool-side.forbidden: Codes that do not go together with tool side compensation raise
+    // FORBIDDEN_IN_3D_COMPENSATION (the alarm number is not known). In a block after which the compensation is on,
+    // these are G54 to G59, G54.1, G20, G21, G96, G97, G160, G05 except with P10000, and an M, S or T word together
+    // with an axis word (I J K under G43.5 included) or in an arc.
+    if (around || after || (on() && words.other_compensation))
+      raise(recorder(), Clause::fanuc_tool_side_forbidden, AlarmCause::forbidden_in_compensation);
+  }
+
+  void check_type_c(const ToolSideBlock& words, bool starts, bool cancels) const {
+    if (!type_c_ || !(starts || cancels)) return;
+    // fanuc.tool-side.type-c-format: A block of type C that makes or removes the vector raises TYPE_C_FORMAT (a name of
+    // ours, the number is not known) if it has an axis word, linear or rotary (I J K under G43.5 included), or if G02
+    // or G03 is in force. A block that makes the vector also raises it with an M code that stops reading ahead
+    // (fanuc.program.stops-reading-ahead), or if the block right after it does not move in the plane of VT before that
+    // block (its own end does not matter), cancels, raises an alarm of its own (DIR_CHANGE_AT_STARTUP and PS0038 too),
+    // leaves the run undecided or is not there.
+    if (words.moves || words.arc_mode || (starts && words.stops_look_ahead))
+      raise(recorder(), Clause::fanuc_tool_side_type_c_format, AlarmCause::type_c_format);
+  }
+
+  // fanuc.tool-side.one-block-without-movement: If one block between A and B does not move in the plane at the end of A
+  // (a rotation alone, a movement along the tool), the group is made of A and B in that plane, with VT before the first
+  // block between.
   // fanuc.tool-side.two-blocks-without-movement: As soon as two blocks that do not move in the plane at the end of A
   // follow block A (on the 30i N - 1, fanuc.tool-side.look-ahead), A ends with the vector perpendicular to it, and
   // there is no corner.
-  const Clause why =
-      cancels ? Clause::fanuc_tool_side_no_next_block : Clause::fanuc_tool_side_two_blocks_without_movement;
-  const auto group = [this, cancels, tool = now.rest.tool, movement, offset](Held& held, std::size_t corner) {
-    const SideEnd& start = *movement.starts[corner];
-    return held.stands() ? vector_of_start(held, start)
-                         : group_before(held, {cancels, tool, movement.path, start, offset});
-  };
-  ahead_.meet(now, {movement.corners(), cancels ? ahead_.limit() : 1, why, group});
-}
-
-void ToolSideCompensation::take_cancel(Step& now, Movement& movement) {
-  for (std::size_t i = 0; i < movement.starts.size(); ++i)
-    if (movement.starts[i]) movement.starts[i]->offset = ahead_.held()[i].offset.left();
-  meet_corners(now, movement, ahead_.last_offset());
-  if (!movement.end) {
-    cancel_alone(now, movement.moves_behind());
-    return;
+  // fanuc.tool-side.no-next-block: If there is no B, block A, also a start-up block, ends with the vector perpendicular
+  // to it too. There is no B at the end of the program, before a block that raises an alarm when it is read or leaves
+  // the run undecided, and before G40 or number 0 in a block that does not move in the plane at the end of A.
+  // fanuc.tool-side.look-ahead-stopped: An M code that stops reading ahead (fanuc.program.stops-reading-ahead) stops
+  // the look-ahead. The block A before it, also a start-up block, ends with the vector perpendicular to it.
+  [[nodiscard]] Ahead look() const {
+    using Kind = Ahead::Kind;
+    const std::uint64_t number = window_.front().plan.number;
+    bool repeated = false;
+    int count = 0;
+    for (std::size_t i = 0; i < window_.following(); ++i) {
+      const Planned& b = window_.after(i);
+      if (!b.step.words.side->is_block) continue;
+      if (b.step.stops_look_ahead) return {.kind = Kind::none, .why = Clause::fanuc_tool_side_look_ahead_stopped};
+      repeated = repeated || b.step.words.side->repeats_code();
+      if (const SideEnd* const start = b.plan.start_at(number)) return {Kind::next, &b, start, repeated, count > 0, {}};
+      const bool must_follow = window_.front().plan.part == SidePart::lone_start;
+      if (b.plan.cancels || must_follow) return {.kind = Kind::none, .why = Clause::fanuc_tool_side_no_next_block};
+      if (++count >= limit_) return {.kind = Kind::none, .why = Clause::fanuc_tool_side_two_blocks_without_movement};
+    }
+    return {.kind = window_.ended() ? Kind::none : Kind::unknown, .why = Clause::fanuc_tool_side_no_next_block};
   }
-  // fanuc.tool-side.cancel: With types A and B, the first block that moves in the plane at its own end with G40 or
-  // number 0 in force is the cancel block. The tool goes straight from the last head of the group at its start to its
-  // programmed end; the cause is cancel.
-  recorder().reach(Clause::fanuc_tool_side_cancel);
-  ahead_.take_away(now);
-}
 
-// G40 or number 0 in a block that does not move in the plane at its own end.
-void ToolSideCompensation::cancel_alone(Step& now, bool cuts_corner) {
-  const bool has_vector = !is_zero_vector(ahead_.here().back().vector);
-  const bool at_once = recorder().decide(Clause::fanuc_tool_side_type_c, type_c_);
-  // fanuc.tool-side.cancel-type-c: With type C, the last compensated block ends with the vector perpendicular to it.
-  // The block with G40 or number 0, which has no move of its own, inserts a move that takes the vector away. The cause
-  // of this move is cancel, and it is of the kind of group 01.
-  // fanuc.tool-side.cancel-without-movement: With types A and B, G40 or number 0 in a block that does not move in the
-  // plane at its own end keeps the last vector at its start. The next block that moves in the plane of VT at its own
-  // end removes that vector: the tool goes straight to the end of that block, the cause is cancel, and an arc raises
-  // PS0034.
-  recorder().reach(at_once ? Clause::fanuc_tool_side_cancel_type_c : Clause::fanuc_tool_side_cancel_without_movement);
-  if (cuts_corner && !at_once) recorder().reach(Clause::fanuc_tool_side_along_the_tool_at_its_end);
-  ahead_.cancel_alone(now, has_vector, at_once);
-  if (cuts_corner && !at_once) ahead_.leave_corner();
-}
-
-void ToolSideCompensation::hold(Step& now, Held::Kind kind, const CutterOffset& offset, const Movement& movement) {
-  auto held = std::make_shared<HeldSidePath>();
-  held->plane = movement.own;
-  held->path = movement.path;
-  if (movement.end) held->end = *movement.end;
-  if (const auto& arc = movement.path.arc) {
-    const bool at_corner = !movement.starts.empty() && movement.starts.back();
-    held->plane_at_start = corner_plane_;
-    held->offset_at_start = offset.side * ahead_.last_offset().distance;
-    const CompensationPlane& plane = at_corner ? corner_plane_ : movement.own;
-    const Rational rho = at_corner ? held->offset_at_start : offset.left();
-    held->start = seen(plane, plane.frame(), arc_start(*arc, rho));
+  // The moves of a block, and where the tool stands after it.
+  void make_moves(Planned& b, const Ahead& ahead) {
+    switch (b.plan.part) {
+      case SidePart::free:
+        made_.push_back(std::move(b.step));
+        break;
+      case SidePart::idle:
+        idle(b);
+        break;
+      case SidePart::lone_start:
+        lone_start(b, ahead);
+        break;
+      case SidePart::lone_cancel:
+        lone_cancel(b);
+        break;
+      case SidePart::start_up:
+      case SidePart::moving:
+        mode_block(b, ahead);
+        break;
+      case SidePart::cancel:
+        cancel(b);
+        break;
+    }
   }
-  ahead_.hold(now, kind, offset, std::move(held));
-}
 
-void ToolSideCompensation::end_standing(Clause /*why*/) {
-  ahead_.raise_held(Clause::fanuc_tool_side_type_c_format, AlarmCause::type_c_format);
-}
+  // A block that makes no vector runs with the last head, and takes the corner moves that are left.
+  void idle(Planned& b) {
+    // fanuc.tool-side.along-the-tool-at-its-end: A block that is B of a corner but does not move in the plane at its
+    // own end has no vector made there. This happens if the tool turns in the block so that the displacement is along
+    // the tool there, or shorter than 19630 as seen there. The block ends with the last vector at its start, and the
+    // next block that moves at its own end starts from that vector, without a corner.
+    if (b.plan.moves_behind()) recorder().reach(Clause::fanuc_tool_side_along_the_tool_at_its_end);
+    b.step.clauses.add(recorder().take_clauses());
+    if (!waiting_.empty() && !b.plan.leaves_corner) {
+      waiting_.push_back(std::move(b.step));
+      return;
+    }
+    flush();
+    run_at_last_head(b.step);
+    // The head is no longer one of the corner where the vector was made.
+    if (b.plan.leaves_corner) tool_.stand({tool_.heads.front().vector});
+  }
 
-void ToolSideCompensation::released(const Held& held) { corner_plane_ = side_path_of(held).plane; }
+  void run_at_last_head(Step& step) {
+    at_head(step, tool_.heads.back());
+    if (!step.moves.empty()) insert_corner_moves(step, *step.words.side, tool_);
+    made_.push_back(std::move(step));
+  }
+
+  // A start-up block, or a block of the mode.
+  void mode_block(Planned& a, const Ahead& ahead) {
+    const SidePlan& plan = a.plan;
+    SpaceGroup at_end = group_at_end(a, ahead);
+    const SideBlock block{plan.plane, plan.path, *plan.end, start_of_arc(plan)};
+    std::optional<ToolArcRun> run = arc_run(recorder(), block, tool_.heads.back(), at_end.front());
+    Checked checked;
+    // fanuc.cutter-c.interference-check: No. 5008 bit 0, CNI, switches the interference check: 0 checks, 1 does not.
+    if (plan.part == SidePart::moving &&
+        recorder().decide(Clause::fanuc_cutter_c_interference_check, checks_interference_))
+      checked = check_interference(recorder(), {}, between_vectors(recorder(), block), tool_.heads, at_end,
+                                   run ? &*run : nullptr);
+    // fanuc.cutter-c.interference-alarm: Interference of the last pair, or of the only pair, raises PS0041 (except in
+    // fanuc.cutter-c.interference-without-alarm). The alarm names the block. Neither the block nor its corner moves are
+    // given; the block before it runs to the first head of its own group.
+    if (checked.passage == Passage::blocked)
+      raise_at(a, Clause::fanuc_cutter_c_interference_alarm, AlarmCause::interference, checked.crossing);
+    Step& step = a.step;
+    step.clauses.add(recorder().take_clauses());
+    flush();
+    end_at(step.moves.front(), at_end.front(), run ? &*run : nullptr, checked.passage);
+    if (plan.part == SidePart::start_up) step.moves.front().leg.cause = spec::Cause::start_up;
+    step.clauses.add(recorder().take_clauses());
+    insert_corner_moves(step, *step.words.side, tool_);
+    tool_ = {std::move(at_end), step.rest};
+    plane_ = plan.plane;
+    waiting_.push_back(std::move(step));
+    if (tool_.heads.size() == 1) flush();
+  }
+
+  // How the arc leaves the corner before it, as the interference check sees it.
+  [[nodiscard]] ArcStart start_of_arc(const SidePlan& plan) const {
+    if (!plan.path.arc) return {};
+    const Rational offset = plan.offset.side * plan.distance_before;
+    const CompensationPlane& plane = plan.at_corner ? plane_ : plan.plane;
+    const SideEnd end = arc_start(*plan.path.arc, plan.at_corner ? offset : plan.offset.left());
+    return {plane_, offset, seen(plane, plane.frame(), end)};
+  }
+
+  // The vectors at the end of a block that makes one: those of the corner, or the one perpendicular to it.
+  [[nodiscard]] SpaceGroup group_at_end(const Planned& a, const Ahead& ahead) {
+    if (ahead.kind == Ahead::Kind::none) {
+      recorder().reach(ahead.why);
+      return rules_.in_plane(rules_.square_to(a.plan.plane, *a.plan.end));
+    }
+    recorder().decide(Clause::fanuc_tool_side_one_block_without_movement, ahead.between);
+    const SidePlan& next = ahead.next->plan;
+    SideCase given{.starts = a.plan.part == SidePart::start_up,
+                   .cancels = next.cancels,
+                   .side_changes = a.plan.offset.side != next.offset.side,
+                   .repeated = ahead.repeated,
+                   .distance = a.plan.offset.distance,
+                   .next = next.path};
+    if (!given.starts && !given.cancels) given.treatment = a.step.words.side->treatment.value_or(0);
+    // fanuc.cutter-c.value-at-a-corner: A new number or value counts for the vectors at the end of the moving block
+    // that has it, or, if that block does not move, at the end of the next moving block.
+    if (!given.cancels)
+      recorder().decide(Clause::fanuc_cutter_c_value_at_a_corner, next.offset.value != a.plan.offset.value);
+    auto group = rules_.group({a.plan.plane, *a.plan.end, *ahead.start}, given);
+    // fanuc.cutter-c.no-intersection: An inner corner with an arc and R' >= 0 whose offset paths do not meet raises
+    // PS0033. The alarm names A. Neither A nor a corner move of A is given, and the blocks before A are given as
+    // computed with A present.
+    if (!group) raise_at(a, Clause::fanuc_cutter_c_no_intersection, AlarmCause::no_intersection, {});
+    const bool in_mode = !given.starts && !given.cancels && !given.side_changes && !given.repeated;
+    // fanuc.tool-side.plane-change-alarm: If all three conditions of the plane change check hold, PS0041 is raised;
+    // OVERCUT_PLANE_CHANGE is our name for this cause of it. The alarm list of this control has P/S0041; the text of
+    // the manual has PS0272, a number of a sister control.
+    if (in_mode && a.plan.end->offset != 0 && given.treatment == 0 &&
+        plane_change_.interferes({a.plan.path.travel, a.plan.plane.tool()}, {next.path.travel, next.plane.tool()}))
+      raise_at(a, Clause::fanuc_tool_side_plane_change_alarm, AlarmCause::interference, {});
+    return rules_.in_plane(std::move(*group));
+  }
+
+  void lone_start(Planned& b, const Ahead& ahead) {
+    // fanuc.tool-side.start-type-c: With type C, the block with which a code and a number other than 0 come into force
+    // inserts a move from the uncompensated point by the vector perpendicular to the next block at its start, in the
+    // plane of VT at that moment. The cause of the move is start-up, and it is of the kind of group 01.
+    if (ahead.kind != Ahead::Kind::next)
+      raise_at(b, Clause::fanuc_tool_side_type_c_format, AlarmCause::type_c_format, {});
+    recorder().reach(Clause::fanuc_tool_side_start_type_c);
+    plane_ = b.plan.plane;
+    tool_.heads = square_to_latter(plane_, *ahead.start);
+    change_alone(b.step, spec::Cause::start_up, b.plan.changes);
+    b.step.clauses.add(recorder().take_clauses());
+    run_at_last_head(b.step);
+  }
+
+  // G40 or number 0.
+  void cancel(Planned& b) {
+    // fanuc.tool-side.cancel: With types A and B, the first block that moves in the plane at its own end with G40 or
+    // number 0 in force is the cancel block. The tool goes straight from the last head of the group at its start to its
+    // programmed end; the cause is cancel.
+    recorder().reach(Clause::fanuc_tool_side_cancel);
+    flush();
+    insert_corner_moves(b.step, *b.step.words.side, tool_);
+    b.step.moves.back().leg.cause = spec::Cause::cancel;
+    tool_.stand({});
+    b.step.clauses.add(recorder().take_clauses());
+    made_.push_back(std::move(b.step));
+  }
+
+  // In a block that does not move in the plane at its own end.
+  void lone_cancel(Planned& b) {
+    // fanuc.tool-side.type-c: Start-up and cancel are of type C if No. 5003 bit 1, SUV, is 1, whatever bit 0 is. If SUV
+    // is 0, bit 0 chooses between the other two types (fanuc.tool-side.type-b).
+    const bool removes = recorder().decide(Clause::fanuc_tool_side_type_c, type_c_);
+    // fanuc.tool-side.cancel-type-c: With type C, the last compensated block ends with the vector perpendicular to it.
+    // The block with G40 or number 0, which has no move of its own, inserts a move that takes the vector away. The
+    // cause of this move is cancel, and it is of the kind of group 01.
+    // fanuc.tool-side.cancel-without-movement: With types A and B, G40 or number 0 in a block that does not move in the
+    // plane at its own end keeps the last vector at its start. The next block that moves in the plane of VT at its own
+    // end removes that vector: the tool goes straight to the end of that block, the cause is cancel, and an arc raises
+    // PS0034.
+    recorder().reach(removes ? Clause::fanuc_tool_side_cancel_type_c : Clause::fanuc_tool_side_cancel_without_movement);
+    if (b.plan.leaves_corner) recorder().reach(Clause::fanuc_tool_side_along_the_tool_at_its_end);
+    b.step.clauses.add(recorder().take_clauses());
+    flush();
+    if (removes) change_alone(b.step, spec::Cause::cancel, b.plan.changes);
+    if (removes || !b.plan.changes) tool_.stand({});
+    run_at_last_head(b.step);
+    if (b.plan.leaves_corner) tool_.stand({tool_.heads.front().vector});
+  }
+
+  // The vectors at which the block that waits ends are final. The corner moves up to the stop point belong to it.
+  void flush() {
+    if (waiting_.empty()) return;
+    append_corner_moves(waiting_.front(), tool_);
+    made_.push_back(std::move(waiting_.front()));
+    for (std::size_t i = 1; i < waiting_.size(); ++i) run_at_last_head(waiting_[i]);
+    waiting_.clear();
+  }
+
+  // The alarm names this block, and nothing of it is given.
+  [[noreturn]] void raise_at(const Planned& b, Clause clause, AlarmCause cause, const Real& crossing) {
+    flush();
+    recorder().reach(clause);
+    const Alarm alarm = geometry_alarm(b.step, axes_, cause, crossing);
+    window_.clear();
+    throw Alarm(alarm);
+  }
+
+  int limit_;
+  ToolSideWords words_;
+  SideRules rules_;
+  PlaneChangeCheck plane_change_;
+  spec::Axes axes_;
+  bool checks_interference_;  // 5008#0, CNI, is 0
+  bool type_c_;               // 5003#1, SUV
+  bool on_mixed_machine_;     // 19680 = 21
+  bool series_30i_;
+
+  SideMode mode_;
+  Window<Planned> window_;
+  Standing tool_;
+  CompensationPlane plane_;    // in which the vectors were made at which the tool stands
+  std::vector<Step> waiting_;  // the block that ends there, and those without a vector after it
+  std::deque<Step> made_;      // in order
+};
+
+}  // namespace
+
+std::unique_ptr<Pass> tool_side_compensation(const Pass::Place& place) {
+  return std::make_unique<ToolSideCompensation>(place);
+}
 
 }  // namespace toolcomp::model

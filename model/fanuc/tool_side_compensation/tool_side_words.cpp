@@ -46,7 +46,7 @@ bool ToolSideWords::wanted(const Command& command) const {
   return side_after(command) != CutterSide::none && offset_.number_after(command.codes).number != 0;
 }
 
-std::shared_ptr<ToolSideBlock> ToolSideWords::read(const StageCommand& now) {
+std::shared_ptr<ToolSideBlock> ToolSideWords::read(const BlockWords& now) {
   const Command& command = now.command;
   const Codes& codes = command.codes;
   auto result = std::make_shared<ToolSideBlock>();

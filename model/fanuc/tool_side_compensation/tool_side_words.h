@@ -19,7 +19,7 @@ class ToolSideWords {
   // The compensation is on after the block, which is read next or has been read last (fanuc.tool-side.on).
   [[nodiscard]] bool wanted(const Command& command) const;
   // What the block says, without the value of its number; nothing before the first code of the program.
-  [[nodiscard]] std::shared_ptr<ToolSideBlock> read(const StageCommand& now);
+  [[nodiscard]] std::shared_ptr<ToolSideBlock> read(const BlockWords& now);
   // The value in force at the end of the block. Throws Alarm PS0029.
   void add_value(ToolSideBlock& block);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/fanuc/stages.h"
+#include "model/fanuc/sections.h"
 
 #include "model/fanuc/cutter_compensation_b/cutter_compensation_b.h"
 #include "model/fanuc/cutter_compensation_c/cutter_compensation_c.h"
@@ -7,21 +7,12 @@
 #include "model/fanuc/tool_side_compensation/tool_side_compensation.h"
 
 namespace toolcomp::model {
-namespace {
-
-template <class Section>
-std::unique_ptr<Stage> make(const Stage::Place& place) {
-  return std::make_unique<Section>(place);
-}
-
-}  // namespace
-
-std::vector<StageMaker> stages(const spec::Setup& setup) {
+std::vector<PassMaker> sections(const spec::Setup& setup) {
   const bool type_b = setup.cutter_compensation == spec::CutterCompensationType::b;
   return {
-      make<LeadingEdgeOffset>,
-      type_b ? make<CutterCompensationB> : make<CutterCompensationC>,
-      make<ToolSideCompensation>,
+      leading_edge_offset,
+      type_b ? cutter_compensation_b : cutter_compensation_c,
+      tool_side_compensation,
   };
 }
 

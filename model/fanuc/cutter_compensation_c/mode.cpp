@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/fanuc/cutter_compensation_c/mode.h"
+
+#include <utility>
+
+namespace toolcomp::model {
+namespace {
+
+bool is_machine_move(PlaneMotion motion) {
+  return motion == PlaneMotion::machine_coordinates || motion == PlaneMotion::reference ||
+         motion == PlaneMotion::from_reference;
+}
+
+// G52 or G92 of the plane.
+bool shifts_plane(const CutterBlock& block) { return is_shift(block.one_shot) && block.has_plane_word(); }
+
+// A word G41 or G42.
+bool has_side_word(const CutterBlock& block) { return block.code && *block.code != CutterSide::none; }
+
+// The path of a moving block: at its start with the distance in force before it, each on the block's own side.
+OffsetPath path_of(const CutterBlock& block, const CutterOffset& own, const Rational& distance_before) {
+  const Rational at_start = own.side * distance_before;
+  if (block.motion != PlaneMotion::arc) return line_path(block.end - block.start, at_start, own.left());
+  ArcEnds arc;
+  arc.start = block.start - block.arc->center;
+  arc.end = block.end - block.arc->center;
+  arc.turn = block.arc_direction == spec::ArcDirection::ccw ? 1 : -1;
+  arc.radius = block.radius;
+  arc.one_radius = !block.arc->radius;
+  return arc_path(arc, at_start, own.left());
+}
+
+}  // namespace
+
+CutterMode::CutterMode(const spec::Setup& setup, Recorder& recorder, int limit)
+    : recorder_(recorder), limit_(limit), at_once_(setup.bit(5003, 1)), keeps_the_mode_(setup.bit(5003, 2)) {}
+
+CutterPlan CutterMode::next(const CutterBlock& block, const Step& step) {
+  const bool in_force = block.side != CutterSide::none;
+  // fanuc.cutter-c.number-zero: Number 0 in force acts as G40 does. G41 or G42 stays in force, and a later number other
+  // than 0 asks for the mode again. A number other than 0 whose value is 0 does not cancel: the mode starts and stays
+  // on.
+  const bool asked = in_force && !recorder_.decide(Clause::fanuc_cutter_c_number_zero, block.number == 0);
+  // fanuc.cutter-c.moving-block: A block moves in the plane if its end differs from its start in an axis of the plane,
+  // or if it is a full circle. Its path is that of G00, G01, G02 or G03 seen in the plane.
+  const bool moves = recorder_.decide(Clause::fanuc_cutter_c_moving_block,
+                                      block.motion == PlaneMotion::line || block.motion == PlaneMotion::arc);
+  if (is_pending() && (!asked || is_machine_move(block.motion) || shifts_plane(block))) nothing_follows();
+  const bool may_follow = moves || block.motion == PlaneMotion::reference;
+  const bool stops = stops_reading(block, step);
+  if (stops && !may_follow) nothing_follows();
+  CutterPlan plan = is_on() || is_pending() ? while_on(block, asked, moves) : while_off(block, asked, moves);
+  if (stops) nothing_follows();
+  return plan;
+}
+
+void CutterMode::nothing_follows() {
+  waiting_.reset();
+  if (is_pending()) phase_ = Phase::off;
+}
+
+void CutterMode::turn_off(bool asked) {
+  waiting_.reset();
+  phase_ = Phase::off;
+  asked_ = asked;
+}
+
+CutterPlan CutterMode::of_part(CutterPart part) const {
+  CutterPlan plan;
+  plan.part = part;
+  plan.offset = last_;
+  return plan;
+}
+
+CutterPlan CutterMode::while_off(const CutterBlock& block, bool asked, bool moves) {
+  asked_ = asked;
+  unchecked_ = false;
+  // fanuc.cutter-c.suv: With No. 5003 bit 1, SUV, at 1 (type C), a G41 or G42 that starts the mode, and a G40 or number
+  // 0 that ends it, act at once in a block that does not move in the plane. With SUV = 0 such a block makes and removes
+  // nothing.
+  const bool starts = asked && moves;
+  const bool starts_alone = asked && !moves && has_side_word(block) && !is_machine_move(block.motion) &&
+                            recorder_.decide(Clause::fanuc_cutter_c_suv, at_once_);
+  if (!starts && !starts_alone) return of_part(CutterPart::free);
+  // fanuc.cutter-c.start-up: If G41 or G42 and a number other than 0 are in force and the mode is off, the next block
+  // that moves in the plane is the start-up block, whether it has the code or not (except in
+  // fanuc.cutter-c.start-without-motion).
+  if (starts) recorder_.reach(Clause::fanuc_cutter_c_start_up);
+  last_ = offset_of(recorder_, block.side, block.offset);
+  phase_ = starts ? Phase::started : Phase::pending;
+  waiting_ = Waiting{starts, 0};
+  CutterPlan plan = of_part(starts ? CutterPart::start_up : CutterPart::lone_start);
+  if (starts) plan.path = path_of(block, last_, last_.distance);
+  plan.changes = last_.distance != 0;
+  return plan;
+}
+
+CutterPlan CutterMode::while_on(const CutterBlock& block, bool asked, bool moves) {
+  // fanuc.cutter-c.restart-before-removal: If G41 or G42 with a number other than 0 is in force again after a lone G40
+  // or number 0, before the vector is removed, the run is undecided at that block. The blocks before it are given as if
+  // it were absent. A vector that is exactly zero is removed at once.
+  if (asked && phase_ == Phase::ending)
+    leave_open_here(Clause::fanuc_cutter_c_restart_before_removal,
+                    "G41 or G42 again before the vector of the cancelled mode is removed");
+  const bool shifts = shifts_plane(block);
+  const bool after_leg = shifts && take_vector_away();
+  CutterPlan plan;
+  if (is_machine_move(block.motion))
+    plan = machine_move(block, asked);
+  else if (!asked && (moves || (phase_ == Phase::ending && block.motion == PlaneMotion::zero_travel)))
+    plan = cancel(block);
+  else if (!asked)
+    plan = phase_ == Phase::ending ? of_part(CutterPart::idle) : lone_cancel();
+  else if (moves)
+    plan = moving(block);
+  else if (block.one_shot == OneShot::corner_arc)
+    plan = corner_arc(block);
+  else
+    plan = without_motion(block);
+  plan.shifts = shifts;
+  plan.after_leg = after_leg;
+  return plan;
+}
+
+CutterPlan CutterMode::moving(const CutterBlock& block) {
+  // fanuc.cutter-c.arc-ends-in-center: An arc block with G41 or G42 and a number other than 0 in force raises PS0038 if
+  // its centre is its start or its end; both cases are alike. This is an alarm of a command. It comes after the alarms
+  // that the words alone raise (PS0034 of a start-up in an arc among them) and after those of the length offset.
+  if (block.arc && !block.arc->sweep)
+    raise(recorder_, Clause::fanuc_cutter_c_arc_ends_in_center, AlarmCause::arc_ends_in_center);
+  const CutterOffset offset = next_offset(block);
+  CutterPlan plan = of_part(CutterPart::moving);
+  plan.path = path_of(block, offset, last_.distance);
+  plan.offset = last_ = offset;
+  plan.checked = !std::exchange(unchecked_, false);
+  phase_ = Phase::running;
+  waiting_ = Waiting{true, 0};
+  return plan;
+}
+
+CutterOffset CutterMode::next_offset(const CutterBlock& block) const {
+  const CutterOffset offset = offset_of(recorder_, block.side, block.offset);
+  // fanuc.cutter-c.direction-change-at-start-up: The first moving block after a start-up must not change the side; a
+  // change raises DIR_CHANGE_AT_STARTUP, a name of ours, at that block. A start-up here is the start-up block, also one
+  // that follows G53 or a reference return, or the G41 or G42 of SUV = 1. The rule holds however many blocks without
+  // motion come between, and whatever the value.
+  if ((phase_ == Phase::started || is_pending()) && offset.side != last_.side)
+    raise(recorder_, Clause::fanuc_cutter_c_direction_change_at_start_up, AlarmCause::side_change_at_start);
+  return offset;
+}
+
+CutterPlan CutterMode::corner_arc(const CutterBlock& block) {
+  waiting_.reset();
+  if (!block.direction) waiting_ = Waiting{};
+  return of_part(CutterPart::corner_arc);
+}
+
+CutterPlan CutterMode::without_motion(const CutterBlock& block) {
+  CutterPlan plan = of_part(CutterPart::idle);
+  if (!waiting_) return plan;
+  // fanuc.cutter-c.non-motion-count: Between two moving blocks, every block that does not move in the plane counts one:
+  // M, S, T, F, G04, G10, other G codes, axes outside the plane, D or H alone, O alone, G41 or G42 alone.
+  if (block.is_block)
+    plan.counts = recorder_.decide(Clause::fanuc_cutter_c_non_motion_count, block.motion == PlaneMotion::zero_travel)
+                      ? limit_
+                      : 1;
+  waiting_->count += plan.counts;
+  if (waiting_->count < limit_) return plan;
+  const bool restarts = is_pending() && has_side_word(block);
+  nothing_follows();
+  // The look-ahead ends here without a moving block; the code has one of its own.
+  return restarts ? while_off(block, true, false) : plan;
+}
+
+CutterPlan CutterMode::cancel(const CutterBlock& block) {
+  const bool moves = block.motion != PlaneMotion::zero_travel;
+  CutterPlan plan = of_part(moves ? CutterPart::cancel : CutterPart::cancel_at_its_end);
+  if (moves) plan.path = line_path(block.end - block.start, last_.left(), last_.left());
+  turn_off(false);
+  return plan;
+}
+
+// G40 or number 0 in a block that does not move in the plane.
+CutterPlan CutterMode::lone_cancel() {
+  CutterPlan plan = of_part(CutterPart::lone_cancel);
+  plan.changes = phase_ != Phase::taken_away && last_.distance != 0;
+  turn_off(false);
+  if (!at_once_ && plan.changes) phase_ = Phase::ending;
+  return plan;
+}
+
+// G52 or G92 of the plane, before what else the block does.
+bool CutterMode::take_vector_away() {
+  const bool after_leg = waiting_ && waiting_->moves;
+  const bool at_vector = phase_ != Phase::taken_away && last_.distance != 0;
+  // fanuc.cutter-c.coordinate-shift-with-vector: If the tool is already at a vector, G52 or G92 with an axis word of
+  // the plane leaves the run undecided at that block. The blocks before it are given as if it were absent. This happens
+  // after G39, after a count of two (on the 30i: of one less than 19625 gives), and after a lone G40 or number 0 whose
+  // vector waits. A vector of length 0 is none.
+  if (!after_leg && at_vector)
+    leave_open_here(Clause::fanuc_cutter_c_coordinate_shift_with_vector,
+                    "G52 or G92 while the tool is at a vector of cutter compensation C");
+  go_on_without_vector();
+  return after_leg;
+}
+
+// The block is absent for those before it, and the clause stands alone.
+void CutterMode::leave_open_here(Clause clause, const char* message) const {
+  recorder_.take_clauses();
+  leave_open(recorder_, clause, message);
+}
+
+void CutterMode::go_on_without_vector() {
+  waiting_.reset();
+  phase_ = Phase::taken_away;
+  unchecked_ = true;
+}
+
+// G53, G28, G30, G30.1, G29: the vector goes, and comes back by parameter 5003#2.
+CutterPlan CutterMode::machine_move(const CutterBlock& block, bool asked) {
+  if (!block.has_plane_word()) {
+    if (!asked && phase_ != Phase::ending) return lone_cancel();
+    nothing_follows();
+    return of_part(CutterPart::outside_axes);
+  }
+  // fanuc.cutter-c.ccn: No. 5003 bit 2, CCN, says whether the mode stays on after G53, G28, G30, G30.1 or G29 of the
+  // plane. With CCN = 0 the mode is off, and the next moving block is a start-up block.
+  const bool goes_on = asked && recorder_.decide(Clause::fanuc_cutter_c_ccn, keeps_the_mode_);
+  const bool reference = block.motion == PlaneMotion::reference;
+  CutterPlan plan = of_part(CutterPart::to_machine_position);
+  if (reference && goes_on) plan = reference_with_intersection(block);
+  if (goes_on)
+    go_on_without_vector();
+  else
+    turn_off(asked);
+  return plan;
+}
+
+// The way to the intermediate point is a block of the offset mode; after that point the vector goes.
+CutterPlan CutterMode::reference_with_intersection(const CutterBlock& block) {
+  const PlanePoint travel = block.ends.front() - block.start;
+  // fanuc.cutter-c.reference-intersection: With G28, G30 or G30.1 of the plane and CCN = 1, the way to the intermediate
+  // point is a line B of the offset mode, and the group at its end is its own P1. After a start-up block, the group
+  // before this B is that of the start-up (SUP).
+  if (!recorder_.decide(Clause::fanuc_cutter_c_reference_intersection, !is_zero(travel)))
+    return of_part(CutterPart::along_to_intermediate);
+  const CutterOffset offset = next_offset(block);
+  CutterPlan plan = of_part(CutterPart::way_to_intermediate);
+  plan.path = line_path(travel, offset.side * last_.distance, offset.left());
+  plan.offset = last_ = offset;
+  return plan;
+}
+
+// fanuc.cutter-c.look-ahead-stopped: Nothing is read beyond a block with G53, whatever its words, or with an M code
+// that stops reading ahead (fanuc.program.stops-reading-ahead), before that block has run.
+bool stops_reading(const CutterBlock& block, const Step& step) {
+  return step.stops_look_ahead || block.one_shot == OneShot::machine_coordinates;
+}
+
+}  // namespace toolcomp::model

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a block is to the mode of cutter compensation C: by its own words and movement and by the blocks before it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "model/basis/alarm.h"
+#include "model/basis/recorder.h"
+#include "model/fanuc/corner/offset_path.h"
+#include "model/fanuc/cutter_compensation/cutter_block.h"
+#include "model/fanuc/program/step.h"
+#include "spec/language/setup.h"
+
+namespace toolcomp::model {
+
+// What a block does to the vector. Those with * make a corner with the block that ends there.
+enum class CutterPart : std::uint8_t {
+  free,        // the mode is off
+  idle,        // does not move in the plane, keeps the vector
+  lone_start,  // G41 or G42 of SUV = 1 that does not move in the plane: makes the vector if a block of the mode follows
+  lone_cancel,
+  start_up,
+  moving,                // * of the mode
+  cancel,                // *
+  cancel_at_its_end,     // after a lone cancel, an axis word of the plane without travel
+  corner_arc,            // G39
+  outside_axes,          // G53, G28, G30, G30.1 or G29 of axes outside the plane alone
+  to_machine_position,   // the same in the plane: the vector vanishes in the first move
+  way_to_intermediate,   // * a reference return: its first move is a block of the mode
+  along_to_intermediate  // the same without travel in the plane: the vector goes after that move
+};
+
+struct CutterPlan {
+  CutterPart part = CutterPart::free;
+  CutterOffset offset;     // at its end: of the last block that moved
+  OffsetPath path;         // of a start-up block, and of those with *
+  int counts = 0;          // idle: as how many blocks without motion
+  bool checked = true;     // for interference
+  bool changes = false;    // lone_start, lone_cancel: the vector that is made or removed is not 0
+  bool shifts = false;     // G52 or G92 of the plane takes the vector away before
+  bool after_leg = false;  // shifts: a moving block waits for its corner
+};
+
+// Follows the mode through the program. Clauses: fanuc.cutter-c.*.
+class CutterMode {
+ public:
+  CutterMode(const spec::Setup& setup, Recorder& recorder, int limit);
+
+  // The next block. Throws Alarm PS0038 or DIR_CHANGE_AT_STARTUP, or LeftOpen.
+  CutterPlan next(const CutterBlock& block, const Step& step);
+
+  // There is a vector, or a block that makes one.
+  [[nodiscard]] bool is_on() const { return phase_ > Phase::pending; }
+  // Or a code asks for one.
+  [[nodiscard]] bool is_on_or_asked_for() const { return is_on() || asked_; }
+  [[nodiscard]] bool is_pending() const { return phase_ == Phase::pending; }
+  // A moving block has made the vector, or makes it.
+  [[nodiscard]] bool made_by_move() const { return phase_ == Phase::started || phase_ == Phase::running; }
+
+ private:
+  enum class Phase : std::uint8_t {
+    off,
+    pending,  // a lone start waits for the next moving block
+    started,  // no block has moved since the start-up block
+    running,
+    taken_away,  // the mode goes on without a vector: after G52, G92, G53 or a reference return
+    ending       // after a lone cancel the vector waits for its removal
+  };
+  // The block that waits for the next one that moves.
+  struct Waiting {
+    bool moves = false;  // it ends at a corner
+    int count = 0;       // of the blocks without motion after it
+  };
+
+  CutterPlan while_off(const CutterBlock& block, bool asked, bool moves);
+  CutterPlan while_on(const CutterBlock& block, bool asked, bool moves);
+  CutterPlan of_part(CutterPart part) const;
+  CutterPlan moving(const CutterBlock& block);
+  CutterPlan corner_arc(const CutterBlock& block);
+  CutterPlan machine_move(const CutterBlock& block, bool asked);
+  CutterPlan reference_with_intersection(const CutterBlock& block);
+  CutterPlan without_motion(const CutterBlock& block);
+  CutterPlan lone_cancel();
+  CutterPlan cancel(const CutterBlock& block);
+  [[nodiscard]] CutterOffset next_offset(const CutterBlock& block) const;
+  // Whether a moving block waits for its corner. Throws LeftOpen.
+  bool take_vector_away();
+  [[noreturn]] void leave_open_here(Clause clause, const char* message) const;
+  void go_on_without_vector();
+  void turn_off(bool asked);
+  // What waits makes no corner.
+  void nothing_follows();
+
+  Recorder& recorder_;
+  int limit_;
+  bool at_once_;         // 5003#1, SUV
+  bool keeps_the_mode_;  // 5003#2, CCN
+
+  Phase phase_ = Phase::off;
+  bool asked_ = false;  // by the last block: a side and a number other than 0 in force
+  CutterOffset last_;   // of the last block that moved, or of a lone start
+  std::optional<Waiting> waiting_;
+  bool unchecked_ = false;  // the next moving block is not checked for interference
+};
+
+// A side and a number other than 0.
+inline bool asks_for_mode(CutterSide side, std::uint32_t number) { return side != CutterSide::none && number != 0; }
+
+// Nothing is read beyond this block before it has run. Clause: fanuc.cutter-c.look-ahead-stopped.
+bool stops_reading(const CutterBlock& block, const Step& step);
+
+}  // namespace toolcomp::model

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// The passes of compensation of one run, one after the other.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "model/fanuc/program/pass.h"
+
+namespace toolcomp::model {
+
+using PassMaker = std::unique_ptr<Pass> (*)(const Pass::Place& place);
+
+// Asks every pass alike, and knows none of them.
+class Passes {
+ public:
+  // Before and after a block.
+  struct InForce {
+    bool before = false;
+    bool after = false;
+    [[nodiscard]] bool any() const { return before || after; }
+  };
+
+  // `makers` in the order in which a step passes. Throws spec::InputError as the passes do.
+  Passes(const std::vector<PassMaker>& makers, const Pass::Place& place);
+
+  // Whether a compensation of this extent is on: Pass::on, Pass::on_after.
+  [[nodiscard]] InForce in_force(Extent extent, const Command& command) const;
+  // Pass::takes_arc_about_its_start, Pass::refuse_rotary_word.
+  [[nodiscard]] bool takes_arc_about_its_start(const Command& command) const;
+  void refuse_rotary_word(const Command& command) const;
+
+  // Pass::read of the passes of this extent, in order; Pass::see of all.
+  void read(Extent extent, const BlockWords& now, StepWords& words);
+  void see(const BlockWay& way, StepWords& words) const;
+
+  // The next block of the program.
+  void take(Step step) { made_ = std::move(step); }
+  // No block follows.
+  void end() { ended_ = true; }
+  // The next step that has gone through all passes; nothing as long as one of them waits for other blocks.
+  std::optional<Step> next() { return next_of(passes_.size()); }
+
+ private:
+  // Through the first `count` passes.
+  std::optional<Step> next_of(std::size_t count);
+
+  std::vector<std::unique_ptr<Pass>> passes_;
+  std::optional<Step> made_;
+  bool ended_ = false;
+};
+
+}  // namespace toolcomp::model

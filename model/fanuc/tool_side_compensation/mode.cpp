@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/fanuc/tool_side_compensation/mode.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "model/basis/event.h"
+#include "model/basis/number.h"
+
+namespace toolcomp::model {
+namespace {
+
+// The arc of a leg, seen from its centre in the plane selected.
+SideArc arc_of(const Leg& leg, const std::optional<Rational>& radius, const spec::Axes& axes) {
+  const spec::Arc<Real>& arc = *leg.arc;
+  const PlaneLetters in_plane = letters(arc.plane);
+  // A machine without an axis of the plane stands at 0 in it.
+  const auto from_center = [&](char letter) {
+    if (!axes.has(letter)) return Real(0);
+    const std::size_t axis = axes.index(letter);
+    return leg.actual(axis).value() - arc.center[axis];
+  };
+  SideArc result;
+  result.plane = arc.plane;
+  result.ends.end = {from_center(in_plane.first), from_center(in_plane.second)};
+  result.ends.start = result.ends.end - in_plane_of(arc.plane, leg.travel);
+  result.ends.turn = arc.direction == spec::ArcDirection::ccw ? 1 : -1;
+  result.ends.radius = radius;
+  result.ends.one_radius = !arc.radius;
+  return result;
+}
+
+// What was decided on |VT × U|². A line along the tool has no direction in the plane.
+bool crosses(Sign decided, const Real& left2) {
+  if (decided != Sign::positive) return false;
+  if (left2.sign() != Sign::positive) throw NotFinite();  // only a forced outcome comes here
+  return true;
+}
+
+}  // namespace
+
+const SideEnd* SidePlan::start_at(std::uint64_t block) const {
+  const auto found = std::ranges::find(starts, block, &Start::at);
+  return found == starts.end() ? nullptr : &found->end;
+}
+
+SideMode::SideMode(const spec::Setup& setup, Recorder& recorder, int limit)
+    : recorder_(recorder),
+      axes_(setup.axes),
+      limit_(limit),
+      shortest_(setup.parameter(19630) ? plain(*setup.parameter(19630)) : Rational(0)),
+      type_c_(setup.bit(5003, 1)) {}
+
+SidePlan SideMode::next(const ToolSideBlock& block, const Step& step) {
+  const bool in_force = block.side != CutterSide::none;
+  // fanuc.cutter-c.number-zero: Number 0 in force acts as G40 does. G41 or G42 stays in force, and a later number other
+  // than 0 asks for the mode again. A number other than 0 whose value is 0 does not cancel: the mode starts and stays
+  // on.
+  const bool asked = in_force && !recorder_.decide(Clause::fanuc_cutter_c_number_zero, block.number == 0);
+  SidePlan plan;
+  plan.plane = CompensationPlane(step.rest.tool);
+  plan.cancels = !asked;
+  if (step.stops_look_ahead) waiting_.clear();
+  if (step.stops_look_ahead && is_pending()) return plan;
+  if (asked || is_on()) find_movement(block, step, plan);
+  // The block right after a lone start moves there and stays in the mode; else the start raises an alarm.
+  const bool follows_start = asked && plan.moves_behind();
+  if (is_pending() && !follows_start) {
+    plan.starts.clear();
+    return plan;
+  }
+  plan.part = SidePart::idle;
+  if (!is_on() && !is_pending())
+    while_off(block, asked, plan);
+  else if (asked)
+    in_mode(block, step, plan);
+  else if (phase_ == Phase::running || plan.end)
+    cancel(plan);
+  before_ = step.rest.tool;
+  return plan;
+}
+
+void SideMode::while_off(const ToolSideBlock& block, bool asked, SidePlan& plan) {
+  asked_ = asked;
+  plan.part = SidePart::free;
+  // fanuc.tool-side.type-c: Start-up and cancel are of type C if No. 5003 bit 1, SUV, is 1, whatever bit 0 is. If SUV
+  // is 0, bit 0 chooses between the other two types (fanuc.tool-side.type-b).
+  const bool alone = asked && recorder_.decide(Clause::fanuc_tool_side_type_c, type_c_);
+  if (!alone && !(asked && plan.end)) return;
+  // fanuc.tool-side.start-up: With types A and B, if a code and a number other than 0 are in force and there is no
+  // vector yet, the next block that moves in the plane (of VT at its own end) is the start-up block. The tool goes
+  // straight from the uncompensated start of that block to the first head of the group at its end, which is made in the
+  // plane there; the cause is start-up.
+  if (!alone) recorder_.reach(Clause::fanuc_tool_side_start_up);
+  plan.part = alone ? SidePart::lone_start : SidePart::start_up;
+  phase_ = alone ? Phase::pending : Phase::running;
+  last_ = offset_of(recorder_, block.side, block.offset);
+  if (plan.end) plan.end->offset = last_.left();
+  started_ = last_.side;
+  plan.changes = last_.distance != 0;
+  wait(plan, true);
+}
+
+void SideMode::in_mode(const ToolSideBlock& block, const Step& step, SidePlan& plan) {
+  // fanuc.cutter-c.restart-before-removal: If G41 or G42 with a number other than 0 is in force again after a lone G40
+  // or number 0, before the vector is removed, the run is undecided at that block. The blocks before it are given as if
+  // it were absent. A vector that is exactly zero is removed at once.
+  if (phase_ == Phase::ending)
+    leave_open_here(Clause::fanuc_cutter_c_restart_before_removal,
+                    "tool side compensation again before the vector of the cancelled mode is removed");
+  phase_ = Phase::running;
+  const bool moves = plan.end || plan.moves_behind();
+  if (moves) {
+    const Leg& leg = step.moves.front().leg;
+    // fanuc.cutter-c.arc-ends-in-center: An arc block with G41 or G42 and a number other than 0 in force raises PS0038
+    // if its centre is its start or its end; both cases are alike. This is an alarm of a command. It comes after the
+    // alarms that the words alone raise (PS0034 of a start-up in an arc among them) and after those of the length
+    // offset.
+    if (leg.arc && !leg.arc->sweep)
+      raise(recorder_, Clause::fanuc_cutter_c_arc_ends_in_center, AlarmCause::arc_ends_in_center);
+    const bool meets_first = !waiting_.empty() && plan.start_at(waiting_.front().number) != nullptr;
+    const CutterOffset offset = next_offset(block, meets_first);
+    plan.distance_before = last_.distance;
+    if (plan.path.arc) look_at_arc(plan);
+    for (SidePlan::Start& start : plan.starts) start.end.offset = offset.side * waiting(start.at).offset.distance;
+    if (plan.end) plan.end->offset = offset.left();
+    last_ = offset;
+    started_.reset();
+  }
+  meet(plan);
+  if (plan.end) {
+    plan.part = SidePart::moving;
+    wait(plan, false);
+    return;
+  }
+  plan.offset = last_;
+  plan.leaves_corner = plan.moves_behind() && (waiting_.empty() || waiting_.back().met);
+  if (plan.leaves_corner) started_.reset();
+}
+
+// G40 or number 0.
+void SideMode::cancel(SidePlan& plan) {
+  for (SidePlan::Start& start : plan.starts) start.end.offset = waiting(start.at).offset.left();
+  plan.offset = last_;
+  waiting_.clear();
+  asked_ = false;
+  if (!plan.end) {
+    lone_cancel(plan);
+    return;
+  }
+  plan.part = SidePart::cancel;
+  phase_ = Phase::off;
+  started_.reset();
+}
+
+// In a block that does not move in the plane at its own end.
+void SideMode::lone_cancel(SidePlan& plan) {
+  plan.part = SidePart::lone_cancel;
+  plan.changes = has_vector_;
+  phase_ = type_c_ || !plan.changes ? Phase::off : Phase::ending;
+  plan.leaves_corner = plan.moves_behind() && !type_c_;
+}
+
+// A line is asked in the plane of each corner that is still to be made, and in the one at its own end.
+void SideMode::find_movement(const ToolSideBlock& block, const Step& step, SidePlan& plan) {
+  if (step.moves.empty()) return;
+  const Leg& leg = step.moves.front().leg;
+  plan.path.travel = leg.travel;
+  const bool at_last = !waiting_.empty() && !waiting_.back().met;
+  if (leg.arc) {
+    plan.path.arc = arc_of(leg, block.radius, axes_);
+    for (const Waiting& w : waiting_)
+      if (!w.met) plan.starts.push_back({w.number, {}});
+    plan.end.emplace();
+    plan.at_corner = at_last;
+    return;
+  }
+  const auto seen_in = [&](const CompensationPlane& plane) {
+    SideEnd line = line_end(plane, leg.travel, 0);
+    return crosses_tool(plane, line) ? std::optional(std::move(line)) : std::nullopt;
+  };
+  for (const Waiting& w : waiting_) {
+    if (w.met) continue;
+    if (auto start = seen_in(w.plane)) plan.starts.push_back({w.number, std::move(*start)});
+  }
+  const SideEnd* const at_former = at_last ? plan.start_at(waiting_.back().number) : nullptr;
+  plan.at_corner = at_former != nullptr;
+  if (!at_last || !plan.plane.is_same_as(waiting_.back().plane))
+    plan.end = seen_in(plan.plane);
+  else if (at_former != nullptr)
+    plan.end = *at_former;
+}
+
+bool SideMode::crosses_tool(const CompensationPlane& plane, const SideEnd& line) const {
+  const Real& norm2 = plane.tool().norm2;
+  const Real travel2 = squared_norm(line.travel);
+  // fanuc.tool-side.along-the-tool: Without a limit (19630 is zero, negative or not given), a block moves if its
+  // displacement is neither zero nor parallel to the tool.
+  if (shortest_ <= 0)
+    return crosses(recorder_.decide(Clause::fanuc_tool_side_along_the_tool, line.left2, norm2 * travel2), line.left2);
+  const Rational limit2 = shortest_ * shortest_;
+  // fanuc.tool-side.no-movement-limit: With 19630 positive (in setup units), a block whose ends differ by less than
+  // 19630 in the compensation plane counts as one that does not move.
+  const Sign decided = recorder_.decide(Clause::fanuc_tool_side_no_movement_limit, line.left2 - limit2 * norm2,
+                                        norm2 * (travel2 + limit2));
+  return decided != Sign::negative && crosses(Sign::positive, line.left2);
+}
+
+CutterOffset SideMode::next_offset(const ToolSideBlock& block, bool meets_first) const {
+  const CutterOffset offset = offset_of(recorder_, block.side, block.offset);
+  const bool first = started_ && *started_ != offset.side;
+  const bool meets_start = meets_first && waiting_.front().starts && waiting_.front().offset.side != offset.side;
+  // fanuc.cutter-c.direction-change-at-start-up: The first moving block after a start-up must not change the side; a
+  // change raises DIR_CHANGE_AT_STARTUP, a name of ours, at that block. A start-up here is the start-up block, also one
+  // that follows G53 or a reference return, or the G41 or G42 of SUV = 1. The rule holds however many blocks without
+  // motion come between, and whatever the value.
+  //
+  // The first block after a start that moves anywhere, and the one that the start's own vector is made with.
+  if (first || meets_start)
+    raise(recorder_, Clause::fanuc_cutter_c_direction_change_at_start_up, AlarmCause::side_change_at_start);
+  return offset;
+}
+
+// From which side the tool sees the plane of an arc: +1 or -1. Throws LeftOpen if the tool lies in it.
+int SideMode::sense(const Direction& tool, spec::Plane plane) const {
+  const Real& upright = component(tool.vector, third_axis(plane));
+  // fanuc.tool-side.arc-plane: N, the positive normal of the plane selected (Z of G17, Y of G18, X of G19), tells the
+  // sense in which an arc is seen from the tool.
+  const Sign seen = recorder_.decide(Clause::fanuc_tool_side_arc_plane, upright, sqrt(tool.norm2));
+  if (seen != Sign::zero && upright.sign() == Sign::zero) throw NotFinite();  // only a forced outcome comes here
+  if (seen == Sign::zero)
+    leave_open_here(Clause::fanuc_tool_side_arc_plane, "an arc whose plane contains the tool direction");
+  return static_cast<int>(seen);
+}
+
+bool SideMode::leans(const Direction& tool, spec::Plane plane) const {
+  // fanuc.tool-side.arc-plane-mismatch: An arc in the mode gives the warning ARC_PLANE_MISMATCH if VT at the end of the
+  // block before it, or at its own end, is not at right angles to the plane selected. The warning comes once a block,
+  // right before the first move that belongs to the block; the arc runs as computed.
+  return recorder_.decide(Clause::fanuc_tool_side_arc_plane_mismatch, squared_norm(in_plane_of(plane, tool.vector)),
+                          tool.norm2) != Sign::zero;
+}
+
+void SideMode::look_at_arc(SidePlan& plan) {
+  // fanuc.tool-side.arc: The start, end and centre of an arc, also of a helix, are projected onto the compensation
+  // plane, and the vector found there is added to the programmed point. The machine then runs the arc in the plane
+  // selected by G17, G18 or G19.
+  recorder_.reach(Clause::fanuc_tool_side_arc);
+  SideArc& arc = *plan.path.arc;
+  for (SidePlan::Start& start : plan.starts) {
+    arc.sense_at_start = sense(waiting(start.at).plane.tool(), arc.plane);
+    start.end = arc_start(arc, 0);
+  }
+  arc.sense_at_end = sense(plan.plane.tool(), arc.plane);
+  if (!plan.at_corner) arc.sense_at_start = arc.sense_at_end;
+  plan.end = arc_end(arc, 0);
+  if (leans(before_, arc.plane) || leans(plan.plane.tool(), arc.plane)) {
+    plan.warning = Warning{"ARC_PLANE_MISMATCH", "the tool is not at right angles to the plane of the arc", {}};
+    plan.warning->clauses.add(Clause::fanuc_tool_side_arc_plane_mismatch);
+  }
+}
+
+void SideMode::wait(SidePlan& plan, bool starts) {
+  plan.number = ++made_;
+  plan.offset = last_;
+  has_vector_ = last_.distance != 0;
+  waiting_.push_back({plan.number, plan.plane, last_, starts, 0, false});
+}
+
+// What counts to the limit is the first one: one after it has fewer blocks after itself.
+void SideMode::meet(const SidePlan& plan) {
+  for (Waiting& w : waiting_) {
+    if (w.met) continue;
+    w.met = plan.start_at(w.number) != nullptr || ++w.count >= limit_;
+  }
+  const auto open = std::ranges::find_if(waiting_, [](const Waiting& w) { return !w.met; });
+  waiting_.erase(waiting_.begin(), open);
+}
+
+// The block is absent for those before it, and the clause stands alone.
+void SideMode::leave_open_here(Clause clause, const char* message) const {
+  recorder_.take_clauses();
+  leave_open(recorder_, clause, message);
+}
+
+SideMode::Waiting& SideMode::waiting(std::uint64_t number) {
+  return *std::ranges::find(waiting_, number, &Waiting::number);
+}
+
+}  // namespace toolcomp::model
