@@ -43,10 +43,10 @@ struct Engine::State {
   // Runs `work`, and ends the run if it raises an alarm or cannot decide.
   template <class Work>
   void guarded(const Work& work);
-  // An Alarm or LeftOpen: the blocks before it are given as if nothing followed. If nothing may follow one of them,
-  // that block is at fault before this one.
-  template <class Fault>
-  void fail(const Fault& fault);
+  // The blocks before it are given as if nothing followed. If nothing may follow one of them, that block is at fault
+  // before this one.
+  void fail(const Alarm& alarm);
+  void fail(const LeftOpen& open);
 
   spec::Setup setup;
   Recorder& recorder;
@@ -86,13 +86,26 @@ void Engine::State::guarded(const Work& work) {
   }
 }
 
-template <class Fault>
-void Engine::State::fail(const Fault& fault) {
+void Engine::State::fail(const Alarm& alarm) {
   stopped = true;
   const spec::ClauseList clauses = recorder.take_clauses();
   guarded([&] {
     finish();
-    reporter.report(fault, clauses);
+    reporter.report(alarm, clauses);
+  });
+}
+
+void Engine::State::fail(const LeftOpen& open) {
+  stopped = true;
+  spec::ClauseList clauses = recorder.take_clauses();
+  guarded([&] {
+    finish();
+    // A clause that stands alone applies once the blocks before it have gone out.
+    if (clauses.empty()) {
+      recorder.reach(open.clause);
+      clauses = recorder.take_clauses();
+    }
+    reporter.report(open, clauses);
   });
 }
 

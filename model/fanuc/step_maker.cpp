@@ -76,7 +76,7 @@ void StepMaker::check_cycle(Making& now) {
 
 void StepMaker::leave_open_here(const LeftOpen& open) {
   recorder_.take_clauses();
-  leave_open(recorder_, open.clause, open.message);
+  throw LeftOpen(open.clause, open.message);
 }
 
 void StepMaker::find_legs(Making& now) {

@@ -207,7 +207,7 @@ bool CutterMode::take_vector_away() {
 // The block is absent for those before it, and the clause stands alone.
 void CutterMode::leave_open_here(Clause clause, const char* message) const {
   recorder_.take_clauses();
-  leave_open(recorder_, clause, message);
+  throw LeftOpen(clause, message);
 }
 
 void CutterMode::go_on_without_vector() {

@@ -280,7 +280,7 @@ void SideMode::meet(const SidePlan& plan) {
 // The block is absent for those before it, and the clause stands alone.
 void SideMode::leave_open_here(Clause clause, const char* message) const {
   recorder_.take_clauses();
-  leave_open(recorder_, clause, message);
+  throw LeftOpen(clause, message);
 }
 
 SideMode::Waiting& SideMode::waiting(std::uint64_t number) {

@@ -76,7 +76,10 @@ class ToolSideCompensation final : public Pass {
   }
   void take(Step step) override {
     SidePlan plan;
-    if (step.words.side && step.words.side->is_block) plan = mode_.next(*step.words.side, step);
+    if (step.words.side && step.words.side->is_block) {
+      if (step.stops_look_ahead) make_without_next(step.line);
+      plan = mode_.next(*step.words.side, step);
+    }
     step.clauses.add(recorder().take_clauses());
     step.warning = plan.warning;
     window_.push({std::move(step), std::move(plan)});
@@ -84,14 +87,8 @@ class ToolSideCompensation final : public Pass {
 
   void end() override { window_.end(); }
   std::optional<Step> next() override {
-    while (made_.empty()) {
-      if (window_.empty()) return std::nullopt;
-      const Ahead ahead = window_.front().plan.number > 0 ? look() : Ahead{.kind = Ahead::Kind::none};
-      if (ahead.kind == Ahead::Kind::unknown) return std::nullopt;
-      Planned b = window_.pop();
-      recorder().at(b.step.line);
-      make_moves(b, ahead);
-    }
+    while (made_.empty())
+      if (!make_next()) return std::nullopt;
     Step step = std::move(made_.front());
     made_.pop_front();
     return step;
@@ -172,6 +169,25 @@ class ToolSideCompensation final : public Pass {
       raise(recorder(), Clause::fanuc_tool_side_type_c_format, AlarmCause::type_c_format);
   }
 
+  // The first block that waits, if what it needs is known.
+  bool make_next() {
+    if (window_.empty()) return false;
+    const Ahead ahead = window_.front().plan.number > 0 ? look() : Ahead{.kind = Ahead::Kind::none};
+    if (ahead.kind == Ahead::Kind::unknown) return false;
+    Planned b = window_.pop();
+    recorder().at(b.step.line);
+    make_moves(b, ahead);
+    return true;
+  }
+
+  // All blocks that wait, before the block on this line is planned: it stops reading ahead.
+  void make_without_next(std::uint64_t line) {
+    stopped_ = true;
+    while (make_next()) continue;
+    stopped_ = false;
+    recorder().at(line);
+  }
+
   // fanuc.tool-side.one-block-without-movement: If one block between A and B does not move in the plane at the end of A
   // (a rotation alone, a movement along the tool), the group is made of A and B in that plane, with VT before the first
   // block between.
@@ -191,13 +207,13 @@ class ToolSideCompensation final : public Pass {
     for (std::size_t i = 0; i < window_.following(); ++i) {
       const Planned& b = window_.after(i);
       if (!b.step.words.side->is_block) continue;
-      if (b.step.stops_look_ahead) return {.kind = Kind::none, .why = Clause::fanuc_tool_side_look_ahead_stopped};
       repeated = repeated || b.step.words.side->repeats_code();
       if (const SideEnd* const start = b.plan.start_at(number)) return {Kind::next, &b, start, repeated, count > 0, {}};
       const bool must_follow = window_.front().plan.part == SidePart::lone_start;
       if (b.plan.cancels || must_follow) return {.kind = Kind::none, .why = Clause::fanuc_tool_side_no_next_block};
       if (++count >= limit_) return {.kind = Kind::none, .why = Clause::fanuc_tool_side_two_blocks_without_movement};
     }
+    if (stopped_) return {.kind = Kind::none, .why = Clause::fanuc_tool_side_look_ahead_stopped};
     return {.kind = window_.ended() ? Kind::none : Kind::unknown, .why = Clause::fanuc_tool_side_no_next_block};
   }
 
@@ -403,6 +419,7 @@ class ToolSideCompensation final : public Pass {
 
   SideMode mode_;
   Window<Planned> window_;
+  bool stopped_ = false;  // nothing is read beyond the window before it has run
   Standing tool_;
   CompensationPlane plane_;    // in which the vectors were made at which the tool stands
   std::vector<Step> waiting_;  // the block that ends there, and those without a vector after it
