@@ -31,7 +31,7 @@ def counted(_=None):
     theorems = sum(keyword == "Theorem" for file in FORMAL for _, keyword, _, _ in sentences(file))
     axioms = len((ROOT / "spec/formal/allowed_axioms.txt").read_text().split())
     hard = sum(len(file.read_text().splitlines()) for file in (ROOT / "corpus/hard").rglob("*.jsonl"))
-    faults = len(re.findall(r"^TOOLCOMP_FAULT\(", (ROOT / "fast/basis/faults.inc").read_text(), re.M))
+    faults = len(re.findall(r"^TOOLCOMP_FAULT\(", (ROOT / "fuzz/faults/faults.inc").read_text(), re.M))
     laws = law_rows()
     rows = [
         ("clauses", f"{len(listed)}: " + ", ".join(f"{n} {kind}" for kind, n in kinds.items()), "toolcomp spec sections"),

@@ -8,7 +8,6 @@
 
 #include "fast/arithmetic/double_double.h"
 #include "fast/arithmetic/trigonometry.h"
-#include "fast/basis/fault.h"
 #include "fast/geometry/heading.h"
 #include "fast/geometry/vector2.h"
 
@@ -118,7 +117,6 @@ Vector2<T> paths_meet(const OffsetMeeting<T>& n, const T& e, const T& discrimina
   const Vector2<T> along = n.t1 * a + n1 * b;
   const T square = a * a + b * b;
   auto [s, q] = quotients(number<T>(2) * e * root(n.minus), sum * square, n.rho * difference, square);
-  if (fault(Fault::c_far_root)) s = root(n.minus) * sum / square;
   if (n.turned < 0) s = -s;
   return {across.x * q + along.x * s, across.y * q + along.y * s};
 }

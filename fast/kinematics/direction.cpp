@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fast/kinematics/direction.h"
 
-#include "fast/basis/fault.h"
 #include "fast/kinematics/kinematics.h"
 
 namespace toolcomp::fast {
@@ -65,7 +64,6 @@ bool lean(const Kinematics& kinematics, const Direction& direction, const FineVe
   constexpr double kParallel = 0x1p-66;  // of the travel: what double-double cannot tell from along the tool
   if (width.hi <= kParallel * length.hi) return false;
   auto q = fine_sine_cosine(degrees);
-  if (fault(Fault::tip_lean_backwards)) q.sine = -q.sine;
   FineVector turned;
   for (std::size_t i = 0; i < 3; ++i) turned[i] = v[i] * q.cosine + across[i] * (q.sine / width);
   // An error of V turns the unit vector across by up to 2 |travel| / |across| of it, and so do roundings.

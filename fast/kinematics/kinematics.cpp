@@ -6,7 +6,6 @@
 #include <string>
 
 #include "fast/arithmetic/extended_sine.h"
-#include "fast/basis/fault.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::fast {
@@ -81,7 +80,7 @@ FineVector tilted(const Count& ra, const Count& rb, int third) {
   const auto b = fine_sine_cosine(rb);
   FineVector v{};
   v[static_cast<std::size_t>((third + 1) % 3)] = a.cosine * b.sine;
-  v[static_cast<std::size_t>((third + 2) % 3)] = fault(Fault::direction_tilt_sense) ? a.sine : -a.sine;
+  v[static_cast<std::size_t>((third + 2) % 3)] = -a.sine;
   v[static_cast<std::size_t>(third)] = a.cosine * b.cosine;
   return v;
 }
@@ -94,7 +93,6 @@ FineVector axis_direction(const spec::Setup& setup, std::uint32_t number) {
   const auto a = fine_sine_cosine(angle_parameter(setup, number + 1));
   if (code == 4) return {a.cosine, a.sine, DoubleDouble{}};
   if (code == 5) return {DoubleDouble{}, a.cosine, a.sine};
-  if (fault(Fault::direction_code_6_mirrored)) return {a.cosine, DoubleDouble{}, a.sine};
   return {a.sine, DoubleDouble{}, a.cosine};
 }
 
@@ -138,11 +136,9 @@ void Kinematics::from_unit_type(const spec::Setup& setup, int type) {
   if (type != 2) axis[1].reversed = !axis[1].reversed;
   inner_ = type == 2 ? axis[1] : axis[0];
   outer_ = type == 2 ? axis[0] : axis[1];
-  if (fault(Fault::rotary_order_swapped)) std::swap(inner_, outer_);
   const int vertical = setup.parameter(19697) ? whole_parameter(setup, 19697, 1, 3) : 3;
   const bool turns_with_table = setup.bit(19746, 4) && !setup.bit(19696, 5);
-  table_may_stand_ =
-      type != 2 && setup.series == spec::Series::series_30i && !turns_with_table && !fault(Fault::table_turns_on_30i);
+  table_may_stand_ = type != 2 && setup.series == spec::Series::series_30i && !turns_with_table;
   expand(tilted(angle_parameter(setup, 19698), angle_parameter(setup, 19699), vertical - 1));
 }
 
@@ -178,7 +174,6 @@ void Kinematics::from_axis_groups(const spec::Setup& setup) {
   else
     outer_.axis = unit_vector(2);
   if (inner_.index == outer_.index) refuse(19615, "names the same axis as 19610");
-  if (fault(Fault::rotary_order_swapped)) std::swap(inner_, outer_);
   expand(tilted(angle_parameter(setup, 19622), angle_parameter(setup, 19623), 2));
 }
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <string>
 
-#include "fast/basis/fault.h"
 #include "fast/kinematics/unit_angle.h"
 #include "spec/language/input_error.h"
 
@@ -47,7 +46,6 @@ Int128 turns_to(Int128 value, Int128 near) {
 
 Machine::Machine(const spec::Setup& setup, Kinematics& kinematics) : kinematics_(kinematics), type_(kinematics.type()) {
   holder_offset_ = parameter(setup, 19666);  // counts without kinematics too
-  if (fault(Fault::tip_holder_offset_twice)) holder_offset_ = holder_offset_ + holder_offset_;
   if (type_ == 0) return;
   tool_side_ = type_ == 2 ? 1 : 0;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -55,7 +53,7 @@ Machine::Machine(const spec::Setup& setup, Kinematics& kinematics) : kinematics_
     Axis& axis = axis_[i];
     axis.index = rotary.index;
     axis.sense = rotary.reversed ? -1 : 1;
-    const bool table = (type_ == 12 || (type_ == 21 && i == 1)) && !fault(Fault::tip_table_sense);
+    const bool table = type_ == 12 || (type_ == 21 && i == 1);
     axis.mechanical = table ? -axis.sense : axis.sense;
     axis.fine_line = vector(rotary.axis);
     axis.line = rounded(axis.fine_line);
@@ -70,14 +68,14 @@ Machine::Machine(const spec::Setup& setup, Kinematics& kinematics) : kinematics_
     if (axis.limited && axis.upper < axis.lower) ranges_valid_ = false;
   }
   polar_ = PolarFrame(kinematics.inner().axis, kinematics.outer().axis, kinematics.zero_direction());
-  const bool reversed_order = setup.bit(19608, 5) && !fault(Fault::tip_order_ignored);
+  const bool reversed_order = setup.bit(19608, 5);
   judged_first_ = (type_ == 21) == reversed_order ? 0 : 1;
   workpiece_frame_ = setup.bit(19696, 5);
   const auto set = [](Vectors& vectors, const Vector3<DoubleDouble>& v) { vectors = {v, rounded(v)}; };
   set(table_, three(setup, 19700));
-  if (!fault(Fault::pose_second_table_ignored)) set(second_table_, three(setup, 19703));
+  set(second_table_, three(setup, 19703));
   set(tool_offset_, three(setup, 19709));
-  if (!fault(Fault::pose_head_offset_ignored)) set(head_offset_, three(setup, 19712));
+  set(head_offset_, three(setup, 19712));
   set(zero_, vector(kinematics.zero_direction()));
   const auto nowhere = [](const Vectors& v) { return v.rough.x == 0 && v.rough.y == 0 && v.rough.z == 0; };
   along_tool_ = type_ == 2 && nowhere(tool_offset_) && nowhere(head_offset_);
@@ -116,7 +114,7 @@ template <class T>
 void Machine::set_zeros(const std::array<Count, spec::kMaxAxes>& zero) {
   for (Axis& axis : axis_) {
     if (axis.index == kNone) continue;
-    if (!fault(Fault::pose_rotary_origin_ignored)) axis.zero = zero[axis.index];
+    axis.zero = zero[axis.index];
     axis.zero_degrees = axis.zero.nearest();
   }
 }
@@ -240,7 +238,7 @@ Turns<DoubleDouble> Machine::fine_turns(const Pose& pose) const {
 void Machine::freeze(Pose& pose) {
   release();
   frozen_ = true;
-  if (!has_table() || fault(Fault::tip_frame_not_frozen)) return;
+  if (!has_table()) return;
   if (!workpiece_frame_) {
     frozen_fine_ = fine_turns(pose);
     const auto at_zero = [](const SineCosine<DoubleDouble>& turn) { return turn.sine.hi == 0 && turn.cosine.hi == 1; };
@@ -469,8 +467,6 @@ bool Machine::choose_fine(const Direction& tool, const Pose& present, Pose& end)
   };
   const std::size_t first = judged_first_;
   const std::array<std::size_t, 2> order{first, 1 - first};
-  if (fault(Fault::tip_second_axis_first))
-    keep([&](const FinePair& p) { return magnitude(p.value[1 - first] - from[1 - first]); });
   for (const std::size_t i : order) keep([&](const FinePair& p) { return magnitude(p.value[i] - from[i]); });
   for (const std::size_t i : order) keep([&](const FinePair& p) { return from_zero(p.value[i]); });
   for (const std::size_t i : order) keep([&](const FinePair& p) { return -p.value[i]; });

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fast/basis/fault.h"
 #include "fast/basis/short_cut.h"
 #include "fast/kinematics/machine.h"
 #include "fast/kinematics/unit_angle.h"
@@ -22,7 +21,6 @@ namespace toolcomp::fast {
   constexpr double kShift = 0x1.8p52;
   const DoublePair turned = (near - basic) * (1.0 / 360) + kShift;
   DoublePair degrees = basic + 360.0 * (turned - kShift);
-  if (fault(Fault::usual_pair_turn)) degrees[1] = basic[1];
   const auto set = [&](RotaryPosition& tool_axis, RotaryPosition& work_axis) {
     tool_axis.degrees = degrees[0];
     work_axis.degrees = degrees[1];
@@ -61,7 +59,7 @@ DoublePair Machine::set_pair(const PolarPairs& pairs, int branch, DoublePair nea
     return false;
   // One pair is nearer in the axis judged first, by more than any rounding.
   const int branch = nearer(pairs, present);
-  if (branch == 0 || fault(Fault::tip_second_axis_first)) [[unlikely]]
+  if (branch == 0) [[unlikely]]
     return false;
   const DoublePair near{present.axis[tool_side_].degrees, present.axis[work_side()].degrees};
   const DoublePair move = set_pair_here(pairs, branch, near, end);
@@ -70,7 +68,7 @@ DoublePair Machine::set_pair(const PolarPairs& pairs, int branch, DoublePair nea
   if (std::max(std::abs(move[0]), std::abs(move[1])) > 180 - slack) [[unlikely]]
     return false;
   for (std::size_t i = 0; i < 2; ++i)
-    if (axis_[i].limited && !fault(Fault::usual_pair_limits) &&
+    if (axis_[i].limited &&
         (end.axis[i].degrees < axis_[i].least + slack || end.axis[i].degrees > axis_[i].most - slack)) [[unlikely]]
       return false;
   return true;

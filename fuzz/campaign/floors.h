@@ -25,7 +25,7 @@ inline constexpr std::uint64_t kEnoughToJudge = 2000;
 // reader only that it ran.
 std::vector<std::string> shortfalls(const Target& target, const Counters& result);
 
-// Seeded faults (fast/basis/faults.inc) of a section, and those whose budget is within so many directed executions: a
+// Seeded faults (fuzz/faults/faults.inc) of a section, and those whose budget is within so many directed executions: a
 // search of that length finds them, which the tests hold.
 struct FaultsWithin {
   std::size_t all = 0;

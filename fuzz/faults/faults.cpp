@@ -6,7 +6,7 @@ namespace toolcomp::fuzz {
 std::span<const SeededFault> seeded_faults() {
   static constexpr SeededFault kFaults[] = {
 #define TOOLCOMP_FAULT(name, mistake, section, budget, clauses) {#name, section, clauses, budget},
-#include "fast/basis/faults.inc"
+#include "fuzz/faults/faults.inc"
 #undef TOOLCOMP_FAULT
   };
   return kFaults;

@@ -20,7 +20,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fast/basis/fault.h"
+#include "fuzz/faults/fault.h"
 #include "fast/batch/batch.h"
 #include "fast/fanuc/engine.h"
 #include "fast/heidenhain/engine.h"
@@ -408,7 +408,7 @@ TEST(Batch, GivesWhatTextGives) {
 TEST(Batch, AMistakeInTheArraysBreaksTheLaw) {
   constexpr std::pair<std::string_view, Fault> kFaults[] = {
 #define TOOLCOMP_BATCH_FAULT(name, mistake) {#name, Fault::name},
-#include "fast/basis/array_faults.inc"
+#include "fuzz/faults/array_faults.inc"
 #undef TOOLCOMP_BATCH_FAULT
   };
   struct Restore {

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "fast/basis/fault.h"
+#include "fuzz/faults/fault.h"
 #include "fuzz/faults/faults.h"
 #include "fuzz/gen/generator.h"
 #include "judge/oracle/trial.h"
@@ -24,7 +24,7 @@ namespace {
 constexpr std::string_view kNames[] = {
     "none",
 #define TOOLCOMP_FAULT(name, mistake, section, budget, clauses) #name,
-#include "fast/basis/faults.inc"
+#include "fuzz/faults/faults.inc"
 #undef TOOLCOMP_FAULT
 };
 

@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-#include "fast/basis/fault.h"
+#include "fuzz/faults/fault.h"
 #include "fast/basis/short_cut.h"
 #include "fuzz/faults/faults.h"
 #include "fuzz/gen/encode.h"
@@ -587,7 +587,7 @@ TEST(ShortCuts, GiveWhatTheGeneralPathGivesUnderToolCenterPointControl) {
 TEST(ShortCuts, AMistakeInOneBreaksTheLaw) {
   constexpr std::pair<std::string_view, Fault> kFaults[] = {
 #define TOOLCOMP_FAULT(name, mistake, section, budget, clauses) {#name, Fault::name},
-#include "fast/basis/faults.inc"
+#include "fuzz/faults/faults.inc"
 #undef TOOLCOMP_FAULT
   };
   int faults = 0;

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "fast/basis/fault.h"
+#include "fuzz/faults/fault.h"
 #include "fuzz/faults/faults.h"
 #include "fuzz/gen/encode.h"
 #include "fuzz/gen/generator.h"

@@ -70,8 +70,8 @@ TEST_P(WidthsOf, AreNarrow) {
   };
   corpus::Selection selection;
   selection.sections = {section};
-  for (const corpus::Vector& vector : corpus::read_vectors(corpus::default_folder(), selection)) judge::judge(vector.c);
-  for (const spec::Case& c : certify::select_cases(section, 1, generated_cases()).cases) judge::judge(c);
+  for (const corpus::Vector& vector : corpus::read_vectors(corpus::default_folder(), selection)) judge(vector.c);
+  for (const spec::Case& c : certify::select_cases(section, 1, generated_cases()).cases) judge(c);
   ASSERT_GT(widths.count(), 0U);
   std::printf("%s\n",
               fmt::format("{:<36} {:>8} values, median {:.2g} um, 99 % {:.2g} um, largest {:.2g} um, above 1 nm "

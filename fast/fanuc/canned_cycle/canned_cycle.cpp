@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fast/fanuc/canned_cycle/canned_cycle.h"
 
-#include "fast/basis/fault.h"
-
 namespace toolcomp::fast {
 namespace {
 
@@ -22,7 +20,7 @@ CycleCommand CannedCycle::read(const Words& words, std::size_t normal) const {
   const Code back = words.code(Words::kReturn);
   command.to_point_r = back == kNone ? to_point_r_ : back == kG99;
   // Of any code of group 01, before that of a cycle or behind it.
-  if (words.code(Words::kMotion) != kNone && !fault(Fault::cycle_survives_motion_code)) return command;
+  if (words.code(Words::kMotion) != kNone) return command;
   const Code code = words.code(Words::kCycle);
   if (code == kG80) return command;
   command.cycle = code == kNone ? cycle_ : code;
@@ -76,21 +74,20 @@ Count CannedCycle::along(const Count& from, const std::optional<Given>& given) {
 
 // Each is looked at before the next is counted from it: sums of more terms could be too large.
 Alarm CannedCycle::find_levels(const Count& position, bool rounded, HoleLevels& levels) const {
-  const bool to_point_r = to_point_r_ || fault(Fault::cycle_always_to_point_r);
   levels.initial = position + rise_;
   if (!levels.initial.in_range()) return AlarmCause::position_range;
-  levels.point_r = along(fault(Fault::cycle_point_r_from_position) ? position : levels.initial, point_r_);
+  levels.point_r = along(levels.initial, point_r_);
   if (!levels.point_r.in_range()) return AlarmCause::position_range;
   levels.bottom = along(levels.point_r, bottom_);
   if (!levels.bottom.in_range()) return AlarmCause::position_range;
-  levels.level = to_point_r ? levels.point_r : levels.initial;
+  levels.level = to_point_r_ ? levels.point_r : levels.initial;
   levels.initial_rounded = rounded || rise_rounded_;
-  levels.level_rounded = levels.initial_rounded && !(to_point_r && point_r_ && !point_r_->distance);
+  levels.level_rounded = levels.initial_rounded && !(to_point_r_ && point_r_ && !point_r_->distance);
   return AlarmCause::none;
 }
 
 void CannedCycle::stand_at(const HoleLevels& levels) {
-  rise_ = fault(Fault::cycle_initial_level_moves) ? Count() : levels.initial - levels.level;
+  rise_ = levels.initial - levels.level;
   rise_rounded_ = levels.initial_rounded && !levels.level_rounded;
 }
 

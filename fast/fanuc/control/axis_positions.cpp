@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fast/fanuc/control/axis_positions.h"
 
-#include "fast/basis/fault.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::fast {
@@ -30,13 +29,11 @@ Alarm AxisPositions::place(std::size_t axis, const Count& position) {
 Count AxisPositions::target(const Words& words, std::size_t axis, const WordUnits& units, bool incremental) const {
   const Count word = units.value(words.axis(axis), (axes_.linear & bit(axis)) != 0);
   if (!incremental) return word;
-  if (fault(Fault::incremental_from_offset_position)) return programmed_[axis] + length_[axis] + word;
   return programmed_[axis] + word;
 }
 
 Count AxisPositions::travel(const Words& words, std::size_t axis, const WordUnits& units, bool incremental) const {
-  if (incremental && !fault(Fault::incremental_from_offset_position))
-    return units.value(words.axis(axis), (axes_.linear & bit(axis)) != 0);
+  if (incremental) return units.value(words.axis(axis), (axes_.linear & bit(axis)) != 0);
   return target(words, axis, units, incremental) - programmed_[axis];
 }
 
@@ -73,13 +70,13 @@ void AxisPositions::add_zeros() {
   displaced_ = 0;
   for (std::size_t axis = 0; axis < axes_.count; ++axis) {
     zero_[axis] = origin_[workpiece_][axis] + local_[axis] + shift_[axis];
-    if (!fault(Fault::external_origin_ignored)) zero_[axis] += origin_[kExternal][axis];
+    zero_[axis] += origin_[kExternal][axis];
     if (!zero_[axis].is_zero()) displaced_ = static_cast<Mask>(displaced_ | bit(axis));
   }
 }
 
 void AxisPositions::set_origin(std::size_t number, std::size_t axis, const Count& value) {
-  const bool counts = number == workpiece_ || number == kExternal || fault(Fault::origin_of_any_system);
+  const bool counts = number == workpiece_ || number == kExternal;
   if (counts) set(axis, programmed_[axis] + origin_[number][axis] - value);
   origin_[number][axis] = value;
 }
@@ -104,7 +101,7 @@ void AxisPositions::select_system(std::size_t system) {
 
 Alarm AxisPositions::shift(std::size_t axis, const Count& position) {
   shift_[axis] += programmed_[axis] + local_[axis] - position;
-  if (!fault(Fault::local_survives_shift)) local_[axis] = Count();
+  local_[axis] = Count();
   if (!shift_[axis].in_range()) return AlarmCause::position_range;
   return place(axis, position);
 }

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "fast/arithmetic/count.h"
-#include "fast/basis/fault.h"
 #include "fast/fanuc/program/words.h"
 #include "fast/fanuc/tool_length_offset/offset_memory.h"
 #include "spec/language/setup.h"
@@ -46,9 +45,7 @@ class CutterValue {
   }
   // The memory has changed. With 5001#4 = 1 the next block takes the value.
   void edit() { edited_ = true; }
-  [[nodiscard]] bool takes_edited() const {
-    return edited_ && (edited_at_next_block_ || fault(Fault::edited_cutter_value_at_once));
-  }
+  [[nodiscard]] bool takes_edited() const { return edited_ && edited_at_next_block_; }
 
  private:
   const OffsetMemory& memory_;

@@ -3,7 +3,6 @@
 #include <bit>
 #include <cmath>
 
-#include "fast/basis/fault.h"
 #include "fast/fanuc/control/read_words.h"
 #include "fast/fanuc/control/tool_attitude.h"
 #include "fast/fanuc/program/arc.h"

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "fast/arithmetic/wide.h"
-#include "fast/basis/fault.h"
 #include "fast/fanuc/control/read_words.h"
 #include "fast/fanuc/control/tool_attitude.h"
 
@@ -33,7 +32,7 @@ ToolAttitude::ToolAttitude(const spec::Setup& setup, Kinematics& kinematics, con
       posture_(setup, machine_),
       tip_(setup, machine_, sink, samples),
       machine_angles_(setup.rotary_angles == spec::RotaryAngles::machine),
-      cancel_moves_(setup.tip_control_cancel == spec::TipControlCancel::moves && !fault(Fault::cancel_never_moves)) {
+      cancel_moves_(setup.tip_control_cancel == spec::TipControlCancel::moves) {
   kinematics_.see_from_table(false);
 }
 

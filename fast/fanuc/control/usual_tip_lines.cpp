@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fast/fanuc/control/usual_tip_lines.h"
 
-#include "fast/basis/fault.h"
 #include "fast/basis/short_cut.h"
 
 namespace toolcomp::fast {
@@ -98,7 +97,7 @@ void UsualTipLines::send_with_turns(const spec::Block& block) {
     control_.modal.set_feed(words_.feed());
   const bool turns = place(letters) != 0;
   const Alarm alarm = directs ? control_.attitude.plan_line(words_[kI], words_[kI + 1], words_[kI + 2])
-                              : control_.attitude.plan_line(turns && !fault(Fault::usual_tip_line_standing));
+                              : control_.attitude.plan_line(turns);
   if (alarm) [[unlikely]] {
     control_.line = block.line;
     control_.n = block.n;

@@ -8,7 +8,6 @@
 #include <cstdint>
 
 #include "fast/arithmetic/count.h"
-#include "fast/basis/fault.h"
 #include "fast/fanuc/control/control.h"
 #include "fast/fanuc/program/words.h"
 #include "spec/language/fanuc/block.h"
@@ -24,8 +23,7 @@ inline bool usual_positions_may_come(const Control& control) {
 }
 // Nothing else of the modal state needs a look before such a block.
 inline bool usual_words_may_come(const Control& control) {
-  return usual_positions_may_come(control) && !control.attitude.plans_tool() &&
-         !(control.modal.incremental() && fault(Fault::incremental_from_offset_position));
+  return usual_positions_may_come(control) && !control.attitude.plans_tool();
 }
 inline bool usual_lines_may_come(const Control& control) {
   return control.modal.motion() <= kG01 && usual_words_may_come(control);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fast/fanuc/control/word_units.h"
 
-#include "fast/basis/fault.h"
-
 namespace toolcomp::fast {
 
 WordUnits::WordUnits(const spec::Setup& setup)
@@ -24,13 +22,10 @@ Factor WordUnits::factor(bool inch) const {
 
 Count WordUnits::converted(const spec::Decimal& word, bool linear, bool inch) const {
   int places = 0;
-  if (counts_increments_ && !word.point)
-    places = increment_places_ + (linear && inch && !fault(Fault::inch_increment) ? 1 : 0);
-  return Count::of(word, linear && !fault(Fault::inch_not_converted) ? factor(inch) : Factor::one, places);
+  if (counts_increments_ && !word.point) places = increment_places_ + (linear && inch ? 1 : 0);
+  return Count::of(word, linear ? factor(inch) : Factor::one, places);
 }
 
-double WordUnits::feed(const spec::Decimal& word) const {
-  return Count::of(word, fault(Fault::feed_not_converted) ? Factor::one : factor(inch_program_)).nearest();
-}
+double WordUnits::feed(const spec::Decimal& word) const { return Count::of(word, factor(inch_program_)).nearest(); }
 
 }  // namespace toolcomp::fast

@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "fast/basis/fault.h"
 #include "fast/geometry/corner.h"
 #include "spec/language/setup.h"
 
@@ -79,7 +78,6 @@ struct HeadGroup {
 //   is_under_one_degree      whether an acute corner of lines is: the tangent of its angle is below that of 1 degree
 //   is_small_movement        whether two heads are no further from each other than No. 5010
 // and, of itself,
-//   kReversalInner, obtuse, start             kinds that seeded faults change
 //   starts_with_normal, cancels_with_normal   in type B: the vector perpendicular to the block that starts or ends
 template <class Section, class Group>
 class CornerGroups {
@@ -115,7 +113,6 @@ class CornerGroups {
   }
   // 180 degrees or more on the side of the workpiece; straight back is an outer corner of 0 degrees.
   static bool is_inner(const Group& group) {
-    if (fault(Section::kReversalInner) && Section::cross(group.corner) == 0) return true;
     return group.corner.first_side * Section::cross(group.corner) > 0 || is_straight(group);
   }
   // An offset circle of a negative radius meets nothing.
@@ -128,7 +125,7 @@ class CornerGroups {
   // The intersection of the offset tangents, or the prolonged ones at an acute corner.
   void add_outer(Group& group) const {
     if (Section::along(group.corner) >= 0) {
-      add(group, Section::obtuse());
+      add(group, HeadKind::tangents_meet);
       return;
     }
     add(group, HeadKind::first_extended);
@@ -213,7 +210,7 @@ template <class Section, class Group>
 template <class Section, class Group>
 void CornerGroups<Section, Group>::make_start_up(Group& group) const {
   if (is_as_in_type_a(group)) {
-    set(group, Section::start());
+    set(group, HeadKind::second_normal);
     return;
   }
   group.size = 0;

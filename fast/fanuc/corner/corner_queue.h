@@ -33,7 +33,6 @@
 
 #include "fast/basis/alarm.h"
 #include "fast/basis/event.h"
-#include "fast/basis/fault.h"
 #include "fast/fanuc/corner/corner_group.h"
 #include "fast/fanuc/corner/interference.h"
 #include "fast/fanuc/corner/tool_arc.h"
@@ -346,8 +345,7 @@ class CornerQueue {
     const Group& group = at_start();
     std::size_t head = 1;
     if constexpr (Section::kUpToStop) {
-      while (head < group.size && is_up_to_stop(group.head[head].kind) && !fault(Fault::side_stop_owner))
-        send_corner_move(head++);
+      while (head < group.size && is_up_to_stop(group.head[head].kind)) send_corner_move(head++);
       for (; waits_ > 0; --waits_) {
         Block& still = held(0);
         if (still.own) {

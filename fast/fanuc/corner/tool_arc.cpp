@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fast/basis/fault.h"
 #include "fast/fanuc/corner/interference.h"
 #include "fast/geometry/angle.h"
 
@@ -58,7 +57,7 @@ void set_tool_arc(spec::Arc<double>& arc, const PlanePath& path, const Vector2<d
   if (is_off_center(path.radius_start, v, a) && is_off_center(path.radius_end, w, b))
     arc.sweep = tool_sweep(path, v, w);
   arc.radius.reset();
-  if (radii == Radii::agree || fault(Fault::c_spiral_as_circle)) return;
+  if (radii == Radii::agree) return;
   const double start = length(a);
   const double end = length(b);
   const double sizes = path.radius_start + extent(v) + (path.radius_end + extent(w));

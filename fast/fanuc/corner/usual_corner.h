@@ -11,7 +11,6 @@
 
 #include "fast/arithmetic/count.h"
 #include "fast/arithmetic/trigonometry.h"
-#include "fast/basis/fault.h"
 #include "fast/geometry/corner.h"
 #include "fast/geometry/heading.h"
 #include "fast/geometry/offset_meeting.h"
@@ -194,7 +193,7 @@ inline bool keeps_all(const UsualCorner& corner, const UsualOffset& offset) {
   }
   if (latter.is_arc()) corner.add(HeadKind::second_normal, n2);
   const bool none_dropped = offset.keeps_all || (latter.is_arc() && latter.over_half);
-  return none_dropped || keeps_all(corner, offset) || fault(Fault::usual_path_small_movement);
+  return none_dropped || keeps_all(corner, offset);
 }
 
 [[nodiscard, gnu::always_inline]] inline bool make_inner_corner(const UsualPath& former, const UsualPath& latter,

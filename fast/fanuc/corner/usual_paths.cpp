@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "fast/basis/fault.h"
 #include "fast/fanuc/control/read_words.h"
 #include "fast/fanuc/control/usual_place.h"
 #include "fast/fanuc/corner/corner_group.h"
@@ -104,8 +103,7 @@ BlockTaker& UsualPaths::leave() {
 [[gnu::always_inline]] inline bool UsualPaths::is_clear(DoublePair vector, ToolArc& arc) const {
   const UsualPath& path = *held_;
   const DoublePair first = start_->back();
-  if (!path.is_arc())
-    return goes_forward(path.start.unit, path.start.norm, first, vector) || fault(Fault::usual_path_unchecked);
+  if (!path.is_arc()) return goes_forward(path.start.unit, path.start.norm, first, vector);
   const Vector2<double> a = to_vector(path.from_start + first);
   const Vector2<double> b = to_vector(path.from_end + vector);
   if (path.spiral) {
@@ -117,7 +115,7 @@ BlockTaker& UsualPaths::leave() {
   }
   return is_off_center(path.radius[0], to_vector(first), a) && is_off_center(path.radius[1], to_vector(vector), b) &&
          set_clear_sweep(path.sigma, to_vector(path.from_start), to_vector(path.from_end), a, b, arc.sweep) &&
-         ((arc.sweep > 180) == path.over_half || fault(Fault::usual_path_unchecked));
+         ((arc.sweep > 180) == path.over_half);
 }
 
 // Corner moves belong to the block whose event this is.
@@ -130,8 +128,7 @@ void UsualPaths::own_corner_move(const Event& owner) {
 void UsualPaths::send_corner_moves() {
   const UsualCorner& corner = *start_;
   for (std::size_t i = 1; i < corner.size; ++i) {
-    if (!(loan_.in_space && is_up_to_stop(corner.kind[i])) || fault(Fault::usual_side_path_stop_owner))
-      own_corner_move(event_of(*held_));
+    if (!(loan_.in_space && is_up_to_stop(corner.kind[i]))) own_corner_move(event_of(*held_));
     place_in_plane(corner_move_, axis_, start_value_, corner.vector[i]);
     loan_.sink->on(corner_move_);
   }
@@ -145,7 +142,7 @@ void UsualPaths::send_corner_moves() {
     spec::Arc<double>& arc = *event.arc;
     arc.sweep = tool.sweep;
     arc.radius.reset();
-    if (path.spiral && !fault(Fault::usual_path_spiral)) arc.radius = tool.radius;
+    if (path.spiral) arc.radius = tool.radius;
   }
   loan_.sink->on(event);
 }
@@ -169,14 +166,14 @@ void UsualPaths::send_corner_moves() {
   start_value_ = at_value_;
   at_ = move.to;
   at_value_ = to_doubles(at_);
-  if (!fault(Fault::usual_path_code)) control_.modal.set_motion(move.motion);
+  control_.modal.set_motion(move.motion);
   if (move.has_feed) [[unlikely]]
     set_feed();
 }
 
 void UsualPaths::set_feed() {
   control_.modal.set_feed(words_.feed());
-  if (!fault(Fault::usual_path_feed)) line_.feed = arc_.feed = control_.modal.feed();
+  line_.feed = arc_.feed = control_.modal.feed();
 }
 
 [[gnu::always_inline]] inline bool UsualPaths::take(const spec::Block& block) {
@@ -187,7 +184,7 @@ void UsualPaths::set_feed() {
   lines_ = next_->is_arc() ? 0 : lines_ + 1;
   if (lines_ > kMostLines || !make_corner() || !is_clear(end_->front(), arc)) [[unlikely]]
     return false;
-  if (start_->size > 1 && !fault(Fault::usual_path_corner_moves)) send_corner_moves();
+  if (start_->size > 1) send_corner_moves();
   send_path(end_->front(), arc);
   hold(block, move);
   return true;

@@ -3,7 +3,6 @@
 
 #include <type_traits>
 
-#include "fast/basis/fault.h"
 #include "fast/fanuc/cutter_compensation_b/cutter_compensation_b.h"
 #include "fast/fanuc/cutter_compensation_c/cutter_compensation_c.h"
 
@@ -160,8 +159,7 @@ template <class Compensation>
 Alarm CutterStage<Compensation>::take(const Words& words, Command& command) {
   set_takes_moves(concerned());
   if (!concerned()) return AlarmCause::none;
-  stops_ = kIsC<Compensation> && (words.suppresses_look_ahead() || words.code(Words::kOneShot) == kG53) &&
-           !fault(Fault::c_reads_past_stop);
+  stops_ = kIsC<Compensation> && (words.suppresses_look_ahead() || words.code(Words::kOneShot) == kG53);
   CutterValue& value = control_.cutter_value;
   const bool d_word = value.commanded(words).has_value();
   const Code code = words.code(Words::kCompensation);

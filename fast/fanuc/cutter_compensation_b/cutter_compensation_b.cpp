@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "fast/basis/fault.h"
 #include "fast/fanuc/cutter_compensation_b/usual_arc.h"
 #include "fast/fanuc/program/arc.h"
 
@@ -75,9 +74,7 @@ Alarm CutterCompensationB::check(const CutterCommand& command) const {
 // rho: the offset value under G41, its negative under G42.
 Count CutterCompensationB::signed_offset() const {
   const bool right = block_.side == CutterSide::right;
-  const Count value =
-      fault(Fault::negative_value_same_side) && block_.offset < Count() ? -block_.offset : block_.offset;
-  return right ? -value : value;
+  return right ? -block_.offset : block_.offset;
 }
 
 StageEnd CutterCompensationB::block() {
@@ -104,7 +101,7 @@ StageEnd CutterCompensationB::block() {
     case CutterMotion::to_reference:
     case CutterMotion::from_intermediate:
     case CutterMotion::from_reference:
-      if (block_.named != 0 && !fault(Fault::no_start_up_after_reference)) {
+      if (block_.named != 0) {
         vector_ = Vector{};
         made_ = false;
       }
@@ -120,8 +117,7 @@ StageEnd CutterCompensationB::block() {
 
 // A block with an axis word of the plane: the vector at its end, from I J or the block's own travel.
 void CutterCompensationB::straight() {
-  const bool given =
-      block_.has_direction && (!fault(Fault::direction_with_code_only) || block_.word != CutterSide::unchanged);
+  const bool given = block_.has_direction;
   std::array<Count, 2> direction;
   for (std::size_t i = 0; i < 2; ++i) direction[i] = given ? block_.direction[i] : block_.end[i] - block_.start[i];
   if (!direction[0].is_zero() || !direction[1].is_zero()) {
@@ -142,8 +138,7 @@ Alarm CutterCompensationB::arc() {
   if (!block_.by_radius && block_.start[0] + block_.to_center[0] == block_.end[0] &&
       block_.start[1] + block_.to_center[1] == block_.end[1])
     return AlarmCause::arc_ends_in_center;
-  const bool outward = block_.clockwise != fault(Fault::arc_vector_wrong_side);
-  const Fine normal = outward ? end : Fine{-end[0], -end[1]};
+  const Fine normal = block_.clockwise ? end : Fine{-end[0], -end[1]};
   const Vector made = vector_along(normal, signed_offset());
   const Fine old_vector = vector_.fine();
   const Fine new_vector = made.fine();
@@ -219,7 +214,7 @@ void CutterCompensationB::set_tool_arc(const Fine& old_head, const Fine& new_hea
   const DoubleDouble first = squared(old_head);
   const DoubleDouble last = squared(new_head);
   arc.radius.reset();
-  if (!vanishes(last - first, square) && !fault(Fault::arc_radii_dropped))
+  if (!vanishes(last - first, square))
     arc.radius = {to_double(sqrt(first) / kUnitsPerOne), to_double(sqrt(last) / kUnitsPerOne)};
 }
 
@@ -243,7 +238,7 @@ void CutterCompensationB::corner_arc() {
   event.feed = block_.feed;
   event.arc.emplace();
   event.arc->plane = block_.plane;
-  const bool clockwise = Count() < length || fault(Fault::corner_arc_sense);
+  const bool clockwise = Count() < length;
   event.arc->direction = clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
   for (const std::size_t axis : block_.axis) event.arc->center.set(axis, event.point.value[axis]);
   set_tool_arc(old_vector, new_vector, scale);
@@ -255,7 +250,7 @@ void CutterCompensationB::cancel() {
   const bool machine = block_.motion >= CutterMotion::to_machine && block_.motion <= CutterMotion::from_reference;
   const bool still = block_.motion == CutterMotion::still || block_.motion == CutterMotion::shift;
   const bool alone = still && !block_.axis_word;
-  const bool back = alone && !vector_.zero() && !fault(Fault::cancel_without_move);
+  const bool back = alone && !vector_.zero();
   if (back && block_.motion == CutterMotion::shift) block_.event = block_.renamed;
   if (!machine && (alone ? back : made_)) block_.event.cause = spec::Cause::cancel;
   vector_ = Vector{};

@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "fast/basis/fault.h"
 #include "fast/basis/short_cut.h"
 #include "fast/fanuc/corner/tool_arc.h"
 
@@ -14,8 +13,8 @@ namespace toolcomp::fast {
 bool make_usual_arc(const WholePair& from, const WholePair& to, int sigma, DoublePair vector, double offset,
                     UsualArc& arc) {
   const auto is_center = [](const WholePair& at) { return at[0] == 0 && at[1] == 0; };
-  if (!is_open(ShortCut::cutter_b_arc) || !is_usual_way(from) || !is_usual_way(to) || is_center(from) ||
-      is_center(to) || fault(Fault::arc_vector_wrong_side) || fault(Fault::arc_radii_dropped)) [[unlikely]]
+  if (!is_open(ShortCut::cutter_b_arc) || !is_usual_way(from) || !is_usual_way(to) || is_center(from) || is_center(to))
+      [[unlikely]]
     return false;
   arc.normal = {-sigma * to[0], -sigma * to[1]};
   const DoublePair normal = to_doubles(arc.normal);
@@ -30,10 +29,9 @@ bool make_usual_arc(const WholePair& from, const WholePair& to, int sigma, Doubl
   const double first_radius = std::sqrt(first_squares[0] + first_squares[1]);
   const double last_radius = std::sqrt(last_squares[0] + last_squares[1]);
   const double terms = extent(start) + extent(vector) + extent(end) + extent(arc.vector);
-  arc.radius = DoublePair{first_radius, fault(Fault::usual_b_arc_radius) ? first_radius : last_radius};
+  arc.radius = DoublePair{first_radius, last_radius};
   return std::abs(last_radius - first_radius) > 0x1p-44 * terms &&
-         set_clear_sweep(fault(Fault::usual_b_arc_sense) ? 1 : sigma, to_vector(start), to_vector(end),
-                         to_vector(first), to_vector(last), arc.sweep);
+         set_clear_sweep(sigma, to_vector(start), to_vector(end), to_vector(first), to_vector(last), arc.sweep);
 }
 
 }  // namespace toolcomp::fast

@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "fast/basis/fault.h"
 #include "fast/basis/short_cut.h"
 #include "fast/fanuc/control/read_words.h"
 #include "fast/fanuc/control/usual_place.h"
@@ -43,7 +42,6 @@ BlockTaker& UsualCutterMoves::leave() {
 [[gnu::always_inline]] inline bool UsualCutterMoves::make_line(const WholePair& way) {
   if (way[0] == 0 && way[1] == 0) [[unlikely]]
     return false;
-  if (fault(Fault::usual_b_move_vector)) return true;
   const DoublePair normal = left_of(to_doubles(way));
   const DoublePair squares = normal * normal;
   vector_.normal = {-way[1], way[0]};
@@ -69,7 +67,7 @@ BlockTaker& UsualCutterMoves::leave() {
 
 void UsualCutterMoves::set_feed() {
   control_.modal.set_feed(words_.feed());
-  if (!fault(Fault::usual_b_move_feed)) line_.feed = arc_.feed = control_.modal.feed();
+  line_.feed = arc_.feed = control_.modal.feed();
 }
 
 [[gnu::always_inline]] inline bool UsualCutterMoves::take(const spec::Block& block) {
@@ -85,7 +83,7 @@ void UsualCutterMoves::set_feed() {
   vector_.is_new = true;
   at_ = move.to;
   at_value_ = to_doubles(at_);
-  if (!fault(Fault::usual_b_move_code)) control_.modal.set_motion(move.motion);
+  control_.modal.set_motion(move.motion);
   if (move.has_feed) [[unlikely]]
     set_feed();
   Event& event = is_line ? line_ : arc_;

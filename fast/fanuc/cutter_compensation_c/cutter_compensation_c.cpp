@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "fast/basis/fault.h"
 #include "fast/geometry/angle.h"
 
 namespace toolcomp::fast {
@@ -60,15 +59,13 @@ void CutterCompensationC::set_flat(PlanePath& flat, const CutterBlock& block) {
 
 [[gnu::always_inline]] inline void CutterCompensationC::set_path(CutterPath& to, const CutterBlock& block) {
   if (!block.path_made) set_flat(to.flat, block);
-  const bool late = fault(Fault::c_offset_one_corner_late) && mode_ == Mode::on;
-  const Count& offset = late ? late_offset_ : block.offset;
+  const Count& offset = block.offset;
   if (!(offset == value_)) {
     value_ = offset;
     amount_ = amount_of(offset);
   }
   to.side = side_of(block);
   to.offset = amount_;
-  if (fault(Fault::c_offset_one_corner_late)) late_offset_ = block.offset;
 }
 
 void CutterCompensationC::set_normal(CutterGroup& group, const PlanePath& path, const Heading& heading, int side,
@@ -130,8 +127,7 @@ StageEnd CutterCompensationC::block() {
       send_in_force(block);
       return {};
     case CutterMotion::shift:
-      return block.named != 0 && mode_ != Mode::off && !fault(Fault::c_kept_before_shift) ? shift_in_plane(block)
-                                                                                          : still_block(block);
+      return block.named != 0 && mode_ != Mode::off ? shift_in_plane(block) : still_block(block);
   }
   return {};
 }
@@ -228,9 +224,9 @@ StageEnd CutterCompensationC::release() {
 
 StageEnd CutterCompensationC::still_block(CutterBlock& block) {
   const bool asked = wanted(block);
-  const unsigned limit = parameters_.still_limit + (fault(Fault::c_two_still_as_one) ? 1 : 0);
-  const unsigned weight = block.motion == CutterMotion::zero ? parameters_.still_limit : 1;
-  if (mode_ == Mode::ends && block.motion == CutterMotion::zero && !fault(Fault::c_zero_travel_keeps_vector)) {
+  const unsigned limit = parameters_.still_limit;
+  const unsigned weight = block.motion == CutterMotion::zero ? limit : 1;
+  if (mode_ == Mode::ends && block.motion == CutterMotion::zero) {
     remove_vector(block, block.own);
     return {};
   }

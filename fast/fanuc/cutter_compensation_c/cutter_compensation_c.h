@@ -9,7 +9,6 @@
 #include <optional>
 
 #include "fast/basis/event.h"
-#include "fast/basis/fault.h"
 #include "fast/fanuc/corner/corner_queue.h"
 #include "fast/fanuc/corner/usual_paths.h"
 #include "fast/fanuc/cutter_compensation_c/cutter_group.h"
@@ -96,9 +95,7 @@ class CutterCompensationC : public CornerQueue<CutterCompensationC, CutterBlock,
   friend CornerQueue;
   static bool is_arc(const CutterBlock& block) { return block.motion == CutterMotion::arc; }
   // G41 or G42 that changes nothing.
-  [[nodiscard]] bool repeats(const CutterBlock& block) const {
-    return is_code(block) && block.word == before_ && !fault(Fault::c_repeated_ignored);
-  }
+  [[nodiscard]] bool repeats(const CutterBlock& block) const { return is_code(block) && block.word == before_; }
   void set_path(CutterPath& to, const CutterBlock& block);
   void hold_path(const CutterPath& to, bool starts_up);
   void set_corner(CutterGroup& group, const CutterPath* second, CornerRule rule) const;
@@ -172,8 +169,7 @@ class CutterCompensationC : public CornerQueue<CutterCompensationC, CutterBlock,
 
   std::array<Heading, 2> directions_;  // of the last two G39
   std::uint8_t direction_ = 0;
-  Count late_offset_;  // of the block before
-  Count value_;        // the value that came last, and its amount
+  Count value_;  // the value that came last, and its amount
   Amount amount_;
   Event notice_;
 };
@@ -193,7 +189,7 @@ inline void CutterCompensationC::add(Event& event, const Vector2<double>& vector
 
 inline int CutterCompensationC::side_of(const CutterBlock& block) {
   const int side = block.side == CutterSide::right ? -1 : 1;
-  return block.offset < Count() && !fault(Fault::c_negative_offset_ignored) ? -side : side;
+  return block.offset < Count() ? -side : side;
 }
 
 }  // namespace toolcomp::fast

@@ -37,14 +37,12 @@ struct Distance {
 
 CutterParameters::CutterParameters(const spec::Setup& setup)
     : CornerParameters(setup), acts_alone(setup.bit(5003, 1)), keeps_mode(setup.bit(5003, 2)) {
-  interference.keeps_vectors =
-      setup.series == spec::Series::series_30i && setup.bit(5008, 3) && !fault(Fault::c_vectors_dropped);
-  interference.no_direction_alarm = setup.bit(5008, 1) && !fault(Fault::c_alarm_of_direction);
+  interference.keeps_vectors = setup.series == spec::Series::series_30i && setup.bit(5008, 3);
+  interference.no_direction_alarm = setup.bit(5008, 1);
 }
 
 // (tan 1 k)^2 > c^2.
 bool CutterGroups::is_under_one_degree(const Corner& corner) {
-  if (fault(Fault::c_no_one_degree_rule)) return false;
   const double left = kTangentOfOneDegree.hi * corner.turn.k;
   const double difference = left * left - corner.turn.c * corner.turn.c;
   if (std::abs(difference) > 0x1p-48 * left * left) return difference > 0;
@@ -58,7 +56,7 @@ bool CutterGroups::is_under_one_degree(const Corner& corner) {
 bool CutterGroups::is_small_movement(const CutterGroup& group, std::size_t a, std::size_t b) const {
   const Distance distance{group, a, b, parameters_};
   const double x = distance.over(&Vector2<double>::x);
-  const double y = fault(Fault::c_small_movement_one_axis) ? -1 : distance.over(&Vector2<double>::y);
+  const double y = distance.over(&Vector2<double>::y);
   if (x > 0 || y > 0) return false;
   return (x < 0 || distance.is_finely_within(&Vector2<DoubleDouble>::x)) &&
          (y < 0 || distance.is_finely_within(&Vector2<DoubleDouble>::y));

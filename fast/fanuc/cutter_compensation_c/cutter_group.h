@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "fast/basis/fault.h"
 #include "fast/fanuc/corner/corner_group.h"
 #include "fast/fanuc/corner/interference.h"
 #include "spec/language/setup.h"
@@ -39,15 +38,8 @@ class CutterGroups : public CornerGroups<CutterGroups, CutterGroup> {
 
  private:
   friend CornerGroups;
-  static constexpr Fault kReversalInner = Fault::c_reversal_inner;
-  static HeadKind obtuse() {
-    return fault(Fault::c_perpendicular_for_intersection) ? HeadKind::first_normal : HeadKind::tangents_meet;
-  }
-  static HeadKind start() {
-    return fault(Fault::c_start_from_own_block) ? HeadKind::first_normal : HeadKind::second_normal;
-  }
   static bool starts_with_normal() { return true; }
-  static bool cancels_with_normal() { return !fault(Fault::c_cancel_without_perpendicular); }
+  static bool cancels_with_normal() { return true; }
 
   static double cross(const Corner& corner) { return corner.turn.c; }
   static double along(const Corner& corner) { return corner.turn.k; }

@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "fast/basis/fault.h"
-
 namespace toolcomp::fast {
 namespace {
 
@@ -17,7 +15,6 @@ bool line_interferes(const PlanePath& path, const CutterGroup& start, std::size_
   const Vector2<double> way = travel(path);
   const double product = dot(way, way + w - v);
   const double size = extent(way);
-  if (fault(Fault::c_right_angle_interferes)) return product < 0x1p-7 * size * size;
   const double bound = 0x1p-46 * size * (size + extent(w) + extent(v));
   if (std::abs(product) > bound) [[likely]]
     return product < 0;
@@ -28,13 +25,9 @@ bool line_interferes(const PlanePath& path, const CutterGroup& start, std::size_
 
 bool arc_interferes(const CheckedBlock& block, const std::optional<double>& sweep) {
   const PlanePath& path = *block.path;
-  int start = 1;
-  int end = 1;
-  if (!fault(Fault::c_negative_radius_unnoticed)) {
-    start = offset_radius_sign(path, false, block.start_side, *block.start_offset);
-    end = offset_radius_sign(path, true, block.end_side, *block.end_offset);
-  }
-  return fast::arc_interferes(path, start, end, fault(Fault::c_sweep_unchecked) ? std::nullopt : sweep);
+  const int start = offset_radius_sign(path, false, block.start_side, *block.start_offset);
+  const int end = offset_radius_sign(path, true, block.end_side, *block.end_offset);
+  return fast::arc_interferes(path, start, end, sweep);
 }
 
 // How the distances of the heads from the centre of an arc compare, by what the vectors are: exactly, where it can be
@@ -81,11 +74,9 @@ Radii compare_radii(const CheckedBlock& block, const CutterGroup& start_group, c
 Interference check_interference(const CheckedBlock& block, const std::optional<double>& sweep, CutterGroup& start,
                                 CutterGroup& end, const InterferenceParameters& parameters) {
   const PlanePath& path = *block.path;
-  const bool stays_arc = path.arc && fault(Fault::c_arc_after_removal);
-  const Interference result = check_pairs(
+  return check_pairs(
       path.arc, start, end, [&] { return arc_interferes(block, sweep); },
-      [&](std::size_t v, std::size_t w) { return !stays_arc && line_interferes(path, start, v, end, w); }, parameters);
-  return stays_arc && result == Interference::straightened ? Interference::none : result;
+      [&](std::size_t v, std::size_t w) { return line_interferes(path, start, v, end, w); }, parameters);
 }
 
 void set_tool_arc(spec::Arc<double>& arc, const CheckedBlock& block, const CutterGroup& start, const CutterGroup& end) {

@@ -8,7 +8,6 @@
 #include "fast/arithmetic/count.h"
 #include "fast/arrays/position_arrays.h"
 #include "fast/arrays/whole_numbers.h"
-#include "fast/basis/fault.h"
 
 namespace toolcomp::fast {
 namespace {
@@ -63,8 +62,7 @@ template <bool kLong>
   }
 }
 
-// The corner between line i and line i + 1, as UsualCutterLines::make_corner(). `side`: +1 to the left, or 0: acute
-// corners are not looked for (a fault).
+// The corner between line i and line i + 1, as UsualCutterLines::make_corner(). `side`: +1 to the left.
 template <bool kLong>
 struct Corners {
   [[gnu::always_inline]] static void run(Lines* lines, std::size_t size, double offset, double side) {
@@ -123,13 +121,13 @@ CutterLineEnd take_cutter_lines(const LineChunk& chunk, const CutterLineStart& s
   chunk.go_on(start.word[0], lines.at_x);
   chunk.go_on(start.word[1], lines.at_y);
   const bool some_long = run_by<Ways>(by, &lines, size) != 0 || start.line.norm >= 0x1p26;
-  const double side = fault(Fault::cutter_lines_acute) ? 0 : (start.offset > 0 ? 1 : -1);
+  const double side = start.offset > 0 ? 1 : -1;
   if (some_long)
     run_by<Corners<true>>(by, &lines, size, start.offset, side);
   else
     run_by<Corners<false>>(by, &lines, size, start.offset, side);
   std::size_t taken = size;
-  if (run_by<Forward>(by, &lines, size) != 0 && !fault(Fault::cutter_lines_unchecked))
+  if (run_by<Forward>(by, &lines, size) != 0)
     taken = static_cast<std::size_t>(std::ranges::find(lines.refused, 1) - lines.refused.begin());
   Moves& moves = *chunk.moves;
   write_positions(by, lines.at_x.data(), lines.vector_x.data() + 1, moves.next_of(start.axis[0]), taken);

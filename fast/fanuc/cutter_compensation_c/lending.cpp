@@ -14,8 +14,7 @@ namespace toolcomp::fast {
 
 bool CutterCompensationC::awaits_usual() const {
   return mode_ == Mode::on && held_ == Held::path && checked_ && count_ == 1 && last_->offset.nearest != 0 &&
-         last_ == &paths_[path_] && !ring_[first_].sets && !repeated_ &&
-         !fault(Fault::c_perpendicular_for_intersection) && !fault(Fault::c_offset_one_corner_late);
+         last_ == &paths_[path_] && !ring_[first_].sets && !repeated_;
 }
 
 // Behind two lines: where lines and arcs take turns, it is for awaits_paths().
@@ -74,8 +73,7 @@ void CutterCompensationC::take_back(const UsualLine& line, const std::array<std:
 }
 
 bool CutterCompensationC::awaits_paths() const {
-  return awaits_usual() && (last_->flat.arc || start_->corner.first->arc) && !fault(Fault::c_small_movement_one_axis) &&
-         !fault(Fault::c_spiral_as_circle);
+  return awaits_usual() && (last_->flat.arc || start_->corner.first->arc);
 }
 
 bool CutterCompensationC::lend(UsualLoan& loan) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fast/basis/fault.h"
 #include "fast/basis/short_cut.h"
 #include "fast/fanuc/control/read_words.h"
 #include "fast/fanuc/control/usual_place.h"
@@ -48,7 +47,6 @@ BlockTaker& UsualCutterLines::leave() {
 
 // From the first vector to the last, where the line starts.
 void UsualCutterLines::send_corner_move() {
-  if (fault(Fault::usual_line_corner_move)) return;
   line_.event->cause = spec::Cause::corner;
   place_in_plane(*line_.event, axis_, at_value_ - to_doubles(line_.way), line_.vector);
   line_.sink->on(*line_.event);
@@ -63,14 +61,14 @@ void UsualCutterLines::send_corner_move() {
   // No way at all, or straight back.
   if (c == 0 && k <= 0) [[unlikely]]
     return false;
-  corner.acute = k < 0 && (c < 0) == (line_.offset > 0) && !fault(Fault::usual_line_acute);
+  corner.acute = k < 0 && (c < 0) == (line_.offset > 0);
   if (corner.acute) {
     corner.first = left_of(line_.unit) * line_.offset + line_.unit * line_.radius;
     corner.last = left_of(unit) * line_.offset - unit * line_.radius;
     // Beyond No. 5010 in one of the axes for certain.
     const DoublePair change = corner.first - corner.last;
     const double over = std::max(std::abs(change[0]), std::abs(change[1])) - line_.limit;
-    return over > 0x1p-46 * (4 * line_.radius + std::abs(line_.limit)) && !fault(Fault::c_small_movement_one_axis);
+    return over > 0x1p-46 * (4 * line_.radius + std::abs(line_.limit));
   }
   const Turn turned{static_cast<double>(c), static_cast<double>(k), line_.norm * norm};
   corner.first = corner.last = (left_of(line_.unit) - line_.unit * half_tangent(turned)) * line_.offset;
@@ -105,8 +103,7 @@ void UsualCutterLines::send_corner_move() {
   Corner corner;
   if (!make_corner(way, norm, unit, corner)) [[unlikely]]
     return false;
-  if (!goes_forward(line_.unit, line_.norm, line_.vector, corner.first) && !fault(Fault::usual_line_unchecked))
-      [[unlikely]]
+  if (!goes_forward(line_.unit, line_.norm, line_.vector, corner.first)) [[unlikely]]
     return false;
 
   if (line_.start == UsualLine::Start::two_vectors) send_corner_move();
@@ -136,7 +133,7 @@ void UsualCutterLines::send_corner_move() {
 void UsualCutterLines::set_feed() {
   control_.modal.set_feed(words_.feed());
   Event& event = *line_.event;
-  if (event.type != spec::MoveType::rapid && !fault(Fault::usual_line_feed)) event.feed = control_.modal.feed();
+  if (event.type != spec::MoveType::rapid) event.feed = control_.modal.feed();
 }
 
 }  // namespace toolcomp::fast

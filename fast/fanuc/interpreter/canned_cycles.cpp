@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Blocks that drill: canned cycles G73 G74 G76 G81 to G89.
-#include "fast/basis/fault.h"
 #include "fast/fanuc/interpreter/interpreter.h"
 
 namespace toolcomp::fast {
@@ -35,7 +34,7 @@ Alarm Interpreter::send_holes(const Words& words, const CycleCommand& command) {
     travel[axis] = control_.travel(words, axis);
     return AlarmCause::none;
   });
-  const bool goes_on = control_.modal.incremental() || fault(Fault::cycle_repeats_go_on);
+  const bool goes_on = control_.modal.incremental();
   if (const Alarm a = check_holes(axes, travel, goes_on ? command.repeats : 1)) return a;
   Event event;
   if (const Alarm a = begin_hole(event, drilling, levels)) return a;
@@ -99,7 +98,7 @@ void Interpreter::fill_hole(Event& event) const {
   for (std::size_t axis = 0; axis < control_.axes.count; ++axis) {
     const double without_length = positions.actual(axis).nearest();
     if (event.point.has(axis)) event.point.value[axis] = without_length;
-    event.axes.value[axis] = fault(Fault::cycle_length_missing) ? without_length : positions.sent_to(axis);
+    event.axes.value[axis] = positions.sent_to(axis);
   }
 }
 

@@ -4,7 +4,6 @@
 #include <bit>
 #include <optional>
 
-#include "fast/basis/fault.h"
 #include "fast/fanuc/interpreter/interpreter.h"
 
 namespace toolcomp::fast {

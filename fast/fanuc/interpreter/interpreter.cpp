@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "fast/basis/fault.h"
-
 namespace toolcomp::fast {
 
 Interpreter::Interpreter(const spec::Setup& setup, Control& control, const Stages& stages, EventSink& sink)
@@ -49,11 +47,6 @@ void Interpreter::raise(Alarm alarm, const char* more) {
   constexpr std::uint32_t kDirectionLetters = Words::set_of("IJK");
   const ModalState& modal = control_.modal;
   const Mask axes = own ? words.axes() : Mask{0};
-  if (fault(Fault::shift_lost) && !modal.incremental() && !words.is_tool_offset())
-    (void)for_each_axis(axes, [this](std::size_t axis) {
-      control_.positions.tool_offset().clear(axis);
-      return AlarmCause::none;
-    });
   if (const Alarm a = control_.place_words(words, axes)) return a;
   if (axes == 0 && !extra && !arc && !(own && modal.by_vector() && words.has_any(kDirectionLetters)))
     return AlarmCause::none;
@@ -233,8 +226,7 @@ Alarm Interpreter::take_length(const Words& words, const Command& command, bool&
   if (shifts_system_ && !shift_system()) return AlarmCause::none;
   // G43.4 and G43.5 always make their move; the G49 that ends them makes one where the setup says so.
   extra = words.starts_tip_control() || (command.ends_along && attitude.cancel_moves()) ||
-          (length.changed() && !command.ends_along && (!shifts_system_ || command.along) &&
-           !fault(Fault::zero_move_missing));
+          (length.changed() && !command.ends_along && (!shifts_system_ || command.along));
   attitude.directions().begin_block();
   if (!command.along) return AlarmCause::none;
   // Moves that a compensation inserts are none of the block.
@@ -256,7 +248,7 @@ bool Interpreter::shift_system() {
     const Count change = positions.length().change(axis);
     if (change.is_zero()) continue;
     shifted = true;
-    if (!fault(Fault::system_not_shifted)) positions.set(axis, positions.programmed()[axis] - change);
+    positions.set(axis, positions.programmed()[axis] - change);
   }
   const bool compensated =
       std::ranges::any_of(asked_, [](const auto& stage) { return stage->on_before() || stage->on_after(); });

@@ -3,7 +3,6 @@
 #include <cstdlib>
 
 #include "fast/arrays/position_arrays.h"
-#include "fast/basis/fault.h"
 #include "fast/fanuc/control/read_words.h"
 #include "fast/fanuc/interpreter/interpreter.h"
 
@@ -14,8 +13,7 @@ bool Interpreter::may_be_lines() const {
   return !control_.stopped && !cycle_.on() && (on_ == nullptr || !on_->on()) && !positions.along_tool() &&
          !positions.length().pending() && control_.modal.motion() <= (control_.modal.lacks_feed() ? kG00 : kG01) &&
          control_.units.plain() && !control_.modal.incremental() && !control_.attitude.completes_moves() &&
-         positions.stale() == 0 && positions.rounded() == 0 && positions.tool_offset().live() == 0 &&
-         !fault(Fault::shift_lost);
+         positions.stale() == 0 && positions.rounded() == 0 && positions.tool_offset().live() == 0;
 }
 
 Mask Interpreter::axes_of(const LineChunk& chunk) const {
@@ -45,7 +43,7 @@ std::size_t Interpreter::lines(const LineChunk& chunk) {
       continue;
     }
     const double* const word = chunk.word(word_place(control_.axes.names.letter(axis)));
-    const bool offset = (positions.length().live() & bit(axis)) != 0 && !fault(Fault::axis_lines_without_offset);
+    const bool offset = (positions.length().live() & bit(axis)) != 0;
     write_positions(chunk.instructions, word, offset ? static_cast<double>(positions.length()[axis].small()) : 0.0,
                     moves.next_of(axis), chunk.size);
     positions.place_small(axis, static_cast<std::int64_t>(word[chunk.size - 1]));

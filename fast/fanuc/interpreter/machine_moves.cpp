@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Moves in machine coordinates, and workpiece coordinates: G53, G28, G30, G30.1, G29, G54 to G59, G54.1, G10 L2 L20.
-#include "fast/basis/fault.h"
 #include "fast/fanuc/interpreter/interpreter.h"
 
 namespace toolcomp::fast {

@@ -2,7 +2,6 @@
 // Moves of codes that count in their block only: tool offset G45 to G48, measurement G37.
 #include <bit>
 
-#include "fast/basis/fault.h"
 #include "fast/fanuc/interpreter/interpreter.h"
 
 namespace toolcomp::fast {
@@ -13,7 +12,7 @@ Alarm Interpreter::plan_tool_offset(const Words& words, BlockArc& block_arc, Shi
   const ArcWords& arc_words = block_arc.words;
   std::optional<spec::Arc<double>>& arc = block_arc.event;
   CutterValue::Number number = control_.cutter_value.number_after(words);
-  if (positions.tool_offset().number_by_h() && !fault(Fault::tph_ignored)) {
+  if (positions.tool_offset().number_by_h()) {
     const ToolLengthOffset::Mode mode = positions.length().mode_after(words.code(Words::kLength));
     if (mode == ToolLengthOffset::Mode::plus || mode == ToolLengthOffset::Mode::minus)
       return AlarmCause::tool_offset_length;
@@ -96,12 +95,8 @@ Alarm Interpreter::measure(const Words& words, Stage* stage) {
   if (motion.measures)
     if (const Alarm a = send_measuring_move(axis, motion.end, coordinate, true)) return a;
   if (motion.alarm) return motion.alarm;
-  if (fault(Fault::position_stays_commanded))
-    if (const Alarm a = positions.place(axis, commanded)) return a;
   // What G10 L11 would do under G91, without its range.
-  const Count difference = fault(Fault::difference_reversed) ? -motion.difference : motion.difference;
-  control_.write_offset(control_.memory.plan(fault(Fault::measured_into_geometry) ? 10 : 11,
-                                             positions.length().number(), difference, true));
+  control_.write_offset(control_.memory.plan(11, positions.length().number(), motion.difference, true));
   return AlarmCause::none;
 }
 

@@ -3,7 +3,6 @@
 
 #include <cstdlib>
 
-#include "fast/basis/fault.h"
 #include "fast/basis/short_cut.h"
 #include "fast/fanuc/control/read_words.h"
 
@@ -25,7 +24,7 @@ void UsualAxisLines::await(Event& move, EventSink& sink) {
     if (axis < letter_.size()) letter_[axis] = letter;
     if ((axes.turning & bit(axis)) != 0 || !offset.is_small() || std::abs(offset.small()) > kMostOffset) continue;
     letters |= std::uint32_t{1} << letter;
-    offset_[axis] = fault(Fault::usual_axis_line_offset) ? 0 : offset.small();
+    offset_[axis] = offset.small();
   }
   words_.permit(letters);
   permits_first_ = axes.count >= letter_.size();
@@ -76,7 +75,7 @@ void UsualAxisLines::set_feed() {
       set_feed();
   }
   move_->line = block.line;
-  if (!fault(Fault::usual_axis_line_number)) move_->n = block.n;
+  move_->n = block.n;
   sink_->on(*move_);
   return true;
 }

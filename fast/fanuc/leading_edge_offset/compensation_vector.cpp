@@ -7,7 +7,6 @@
 
 #include "fast/arithmetic/trigonometry.h"
 #include "fast/arithmetic/wide.h"
-#include "fast/basis/fault.h"
 
 namespace toolcomp::fast {
 namespace {
@@ -38,8 +37,6 @@ bool is_exact(const Displacement& m, const Direction& v) { return v.is_whole && 
 double fine_bound(const Displacement& m, const Direction& v) {
   return 3 * v.refined_error() * m.value.norm() + 4 * m.slack;
 }
-
-bool drop_fine_level() { return fault(Fault::no_double_double); }
 
 }  // namespace
 
@@ -74,7 +71,6 @@ int CompensationVector::dot_sign(const Kinematics& kinematics, const Displacemen
     if (d > bound) return 1;
     if (d < -bound) return -1;
   }
-  if (drop_fine_level()) return d > 0 ? 1 : -1;
   if (is_exact(m, v)) return dot(wide(m.whole()), wide(v.whole())).sign();
   const double refined = dot(fine(m.whole()), kinematics.refine(v)).hi;
   if (std::abs(refined) <= fine_bound(m, v)) return 0;
@@ -88,10 +84,9 @@ int CompensationVector::compare(const Kinematics& kinematics, const Displacement
   const double left = side == Side::dot ? d * d : m.value.cross(v.unit).squaredNorm();
   const double estimate = left - limit.value * square;
   const double bound = square_bound(v) * square;
-  if (m.slack == 0 || drop_fine_level()) {
+  if (m.slack == 0) {
     if (estimate > bound) return 1;
     if (estimate < -bound) return -1;
-    if (drop_fine_level()) return estimate > 0 ? 1 : -1;
   }
   if (is_exact(m, v) && limit.quarters >= 0) {
     const WideVector movement = wide(m.whole());
@@ -127,15 +122,14 @@ AngleClass CompensationVector::classify(const Kinematics& kinematics, const Disp
   // A squared sine tells small angles apart, a squared cosine large ones: use the one that is at most 1/2.
   const int parallel =
       wide_ ? -compare(kinematics, m, v, Side::dot, cosine_) : compare(kinematics, m, v, Side::cross, sine_);
-  const bool open = fault(Fault::open_range);
-  const bool is_parallel = open ? parallel < 0 : parallel <= 0;
+  const bool is_parallel = parallel <= 0;
   const int sign = dot_sign(kinematics, m, v);
   if (is_parallel && sign > 0) return AngleClass::near_0;
   if (is_parallel && sign < 0) return AngleClass::near_180;
   if (sign == 0) return AngleClass::near_90;
   const int square =
       wide_ ? -compare(kinematics, m, v, Side::cross, cosine_) : compare(kinematics, m, v, Side::dot, sine_);
-  if (open ? square < 0 : square <= 0) return AngleClass::near_90;
+  if (square <= 0) return AngleClass::near_90;
   return sign > 0 ? AngleClass::below_90 : AngleClass::above_90;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fast/fanuc/leading_edge_offset/leading_edge_offset.h"
 
-#include "fast/basis/fault.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::fast {
@@ -79,10 +78,7 @@ Alarm LeadingEdgeOffset::block(bool own, bool moving) {
   if (moving) {
     if (held_count_ > 0) {
       const Move& former = ring_[held_[0]];
-      const bool turned = fault(Fault::turned_direction_at_still_block) && held_count_ > 1;
-      const Displacement& way = fault(Fault::own_movement) ? former.displacement : move.displacement;
-      update(way, turned ? *ring_[held_[1]].direction : *former.direction,
-             fault(Fault::radius_of_next_block) ? ring_[free_].radius : former.radius);
+      update(move.displacement, *former.direction, former.radius);
       send_held();
     }
     hold();
@@ -99,10 +95,6 @@ Alarm LeadingEdgeOffset::block(bool own, bool moving) {
   if (still_ == 1) {
     if (own) hold();
     return AlarmCause::none;
-  }
-  if (fault(Fault::second_still_block_recomputed)) {
-    const Move& former = ring_[held_[0]];
-    update(former.displacement, *former.direction, former.radius);
   }
   send_held();
   if (own) send_compensated();
@@ -128,10 +120,7 @@ Alarm LeadingEdgeOffset::finish() {
 }
 
 void LeadingEdgeOffset::cancel() {
-  if (fault(Fault::cancel_keeps_vector))
-    send_compensated();
-  else
-    send(next(), {});
+  send(next(), {});
   active_ = false;
   vector_ = {};
 }

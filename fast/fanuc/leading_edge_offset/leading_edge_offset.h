@@ -8,7 +8,6 @@
 
 #include "fast/basis/alarm.h"
 #include "fast/basis/event.h"
-#include "fast/basis/fault.h"
 #include "fast/fanuc/leading_edge_offset/compensation_vector.h"
 #include "fast/geometry/displacement.h"
 #include "fast/geometry/vector3.h"
@@ -107,15 +106,13 @@ class LeadingEdgeOffset {
     return starting_ ? AlarmCause::leading_edge_start : AlarmCause::none;
   if (lean.angle == AngleClass::near_90) {
     // The sense is inherited; without history that of the pair, backward at exactly 90 degrees.
-    if (starting_ || fault(Fault::right_angle_without_history))
-      backward_ = CompensationVector::dot_sign(kinematics_, displacement, direction) >= 0 ? 1 : -1;
+    if (starting_) backward_ = CompensationVector::dot_sign(kinematics_, displacement, direction) >= 0 ? 1 : -1;
   } else {
     // Without a branch: angles follow no pattern.
-    const bool above = lean.angle == AngleClass::above_90 && !fault(Fault::above_90_not_reversed);
+    const bool above = lean.angle == AngleClass::above_90;
     backward_ = 1 - 2 * static_cast<int>(above);
   }
-  const int sense = fault(Fault::vector_sign) ? -backward_ : backward_;
-  vector_ = lean.backward * (sense * radius / lean.norm);
+  vector_ = lean.backward * (backward_ * radius / lean.norm);
   return AlarmCause::none;
 }
 

@@ -2,7 +2,6 @@
 // The usual line under leading edge offset: straight from the words of the block to the stage.
 #include <cmath>
 
-#include "fast/basis/fault.h"
 #include "fast/fanuc/control/usual_space_lines.h"
 #include "fast/fanuc/leading_edge_offset/leading_edge_stage.h"
 #include "fast/fanuc/leading_edge_offset/usual_line.h"
@@ -39,9 +38,8 @@ BlockTaker& LeadingEdgeStage::leave_lines() {
   // The move that is held has its vector by this movement and by how the tool stands before it.
   const Direction& before = control_.attitude.directions().now();
   lines_.turn(line);
-  const Direction& after = control_.attitude.directions().now();
-  offset_.take_line(line.way, fault(Fault::usual_edge_line_turned_tool) ? after : before, lines_.are_plain());
-  const bool feed = UsualSpaceLines::names_feed(line) && !fault(Fault::usual_edge_line_feed);
+  offset_.take_line(line.way, before, lines_.are_plain());
+  const bool feed = UsualSpaceLines::names_feed(line);
   if (feed) [[unlikely]]
     lines_.take_feed();
   lines_.fill(offset_.held_event(), !feed, block.line, block.n, line.xy, line.z);

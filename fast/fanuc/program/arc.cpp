@@ -6,7 +6,6 @@
 #include "fast/arithmetic/double_double.h"
 #include "fast/arithmetic/trigonometry.h"
 #include "fast/arithmetic/wide.h"
-#include "fast/basis/fault.h"
 
 namespace toolcomp::fast {
 namespace {
@@ -51,7 +50,7 @@ std::array<DoubleDouble, 2> fine_center(const std::array<Count, 2>& start, const
 
 // atan2 gives a start; one step of the angle addition formula in double-double gives the rest. NaN for NaN.
 double positive_angle(const DoubleDouble& x, const DoubleDouble& y) {
-  if (y.hi == 0) return x.hi > 0 ? (fault(Fault::arc_full_circle_empty) ? 0 : 360) : 180;
+  if (y.hi == 0) return x.hi > 0 ? 360 : 180;
   if (x.hi == 0) return y.hi > 0 ? 90 : 270;
   constexpr DoubleDouble kDegrees{0x1.ca5dc1a63c1f8p+5, -0x1.1e7ab456405f9p-49};  // 180 / pi
   double first = std::atan2(y.hi, x.hi) * kDegrees.hi;
@@ -135,9 +134,8 @@ Alarm arc_by_center(const std::array<Count, 2>& start, const std::array<Count, 2
   arc.sweep.reset();
   if (end_square.sign() != 0) {
     const Wide turn = from[0] * to[1] - from[1] * to[0];
-    arc.sweep =
-        positive_angle((from[0] * to[0] + from[1] * to[1]).to_double_double(),
-                       (clockwise && !fault(Fault::arc_sweep_counterclockwise) ? -turn : turn).to_double_double());
+    arc.sweep = positive_angle((from[0] * to[0] + from[1] * to[1]).to_double_double(),
+                               (clockwise ? -turn : turn).to_double_double());
   }
   return AlarmCause::none;
 }
@@ -149,7 +147,7 @@ Alarm arc_by_radius(const std::array<Count, 2>& start, const std::array<Count, 2
   // 4 h^2 = 4 R^2 - chord^2, h the distance of the centre from the chord.
   const Wide height_square = Wide(4) * Wide(radius.units()) * Wide(radius.units()) - chord_square;
   if (height_square.sign() < 0) return AlarmCause::arc_radius_too_short;
-  const bool larger = radius < Count() && !fault(Fault::arc_always_smaller);
+  const bool larger = radius < Count();
   const ByRadius made = by_radius(chord, chord_square, height_square, clockwise, larger);
   for (std::size_t i = 0; i < 2; ++i) {
     const DoubleDouble middle = to_double_double(start[i].units() + end[i].units()) * 0.5;

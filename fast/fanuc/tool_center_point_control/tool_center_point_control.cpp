@@ -4,7 +4,6 @@
 #include <bit>
 
 #include "fast/basis/axis_mask.h"
-#include "fast/basis/fault.h"
 
 namespace toolcomp::fast {
 namespace {
@@ -155,7 +154,7 @@ bool ToolCenterPointControl::send_line(std::uint64_t line, const std::optional<s
                                        const std::optional<double>& feed, const Vector3<double>& at) {
   const TipBlock& block = blocks_[current_];
   const PosturePlan& plan = block.plan;
-  if ((plan.branch_warning || plan.pre_turn || plan.post_turn) && !fault(Fault::usual_tip_line_turns)) [[unlikely]]
+  if (plan.branch_warning || plan.pre_turn || plan.post_turn) [[unlikely]]
     return false;
   event_.line = line;
   event_.n = n;

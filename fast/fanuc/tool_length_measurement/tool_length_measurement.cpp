@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "fast/basis/fault.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::fast {
@@ -55,15 +54,15 @@ ToolLengthMeasurement::Motion ToolLengthMeasurement::measure(std::size_t axis, c
   Count end = zone_;
   bool reached = false;
   if (touch_[axis]) {
-    Count touch = ahead(*touch_[axis] - (fault(Fault::signal_without_offset) ? Count() : offset));
+    Count touch = ahead(*touch_[axis] - offset);
     if (touch < at) touch = at;
-    reached = fault(Fault::zone_end_excluded) ? touch < zone_ : !(zone_ < touch);
+    reached = !(zone_ < touch);
     if (reached) end = touch;
   }
   motion.measures = at < end;
   motion.end = coordinate(end);
   motion.difference = motion.end - commanded;
-  const bool early = fault(Fault::zone_start_excluded) ? !(-zone_ < end) : end < -zone_;
+  const bool early = end < -zone_;
   if (!reached || early) motion.alarm = AlarmCause::no_signal;
   return motion;
 }

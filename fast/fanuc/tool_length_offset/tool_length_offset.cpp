@@ -4,7 +4,6 @@
 #include <bit>
 
 #include "fast/basis/axis_mask.h"
-#include "fast/basis/fault.h"
 
 namespace toolcomp::fast {
 namespace {
@@ -36,7 +35,7 @@ ToolLengthOffset::Mode ToolLengthOffset::mode_after(Code code) const {
     case kG43:
       return Mode::plus;
     case kG44:
-      return fault(Fault::g44_as_g43) ? Mode::plus : Mode::minus;
+      return Mode::minus;
     case kG43_4:
     case kG43_5:
       return Mode::along_tool;
@@ -59,7 +58,7 @@ bool ToolLengthOffset::changed() const {
 void ToolLengthOffset::set(std::size_t axis, const Count& value) {
   if ((touched_ & bit(axis)) == 0) offset_before_[axis] = offset_[axis];
   touched_ = static_cast<std::uint16_t>(touched_ | bit(axis));
-  offset_[axis] = fault(Fault::offset_accumulates) && !value.is_zero() ? offset_[axis] + value : value;
+  offset_[axis] = value;
   live_ = static_cast<std::uint16_t>(offset_[axis].is_zero() ? live_ & ~bit(axis) : live_ | bit(axis));
 }
 
@@ -71,7 +70,7 @@ void ToolLengthOffset::set_length(const Count& value) {
 
 void ToolLengthOffset::cancel(std::size_t axis) {
   // An axis whose offset is 0 just now is taken away too: an H number may give it a value later.
-  if (((live_ | last_) & bit(axis)) == 0 || fault(Fault::g53_keeps_offset)) return;
+  if (((live_ | last_) & bit(axis)) == 0) return;
   set(axis, Count());
   taken_ = static_cast<std::uint16_t>(taken_ | bit(axis));
 }
@@ -81,7 +80,7 @@ Alarm ToolLengthOffset::restore(const Words& words, const OffsetMemory& memory) 
   // A block with a length code, or an H that counts, acts by them alone.
   if (words.code(Words::kLength) != kNone || (words.has('H') && !ofh_)) return AlarmCause::none;
   // A block with G40, G41 or G42 puts the restoration off, but not an edited value.
-  const bool back = (taken_ & last_) != 0 && (!holds_cutter_code(words) || fault(Fault::restore_in_g40));
+  const bool back = (taken_ & last_) != 0 && !holds_cutter_code(words);
   if (!back && !edited_) return AlarmCause::none;
   const Count value = memory.h(number_);
   if (!memory.fits(value)) return AlarmCause::offset_value;
@@ -91,7 +90,6 @@ Alarm ToolLengthOffset::restore(const Words& words, const OffsetMemory& memory) 
     return AlarmCause::none;
   }
   std::uint16_t axes = back ? last_ : static_cast<std::uint16_t>(last_ & ~taken_);
-  if (back && fault(Fault::restore_any_axis)) axes = static_cast<std::uint16_t>(axes | taken_);
   taken_ = static_cast<std::uint16_t>(taken_ & ~axes);
   for (std::size_t axis = 0; axis < axes_; ++axis)
     if ((axes & bit(axis)) != 0) set(axis, signed_value(value, mode_));
@@ -121,13 +119,12 @@ Alarm ToolLengthOffset::apply(const Words& words, const OffsetMemory& memory, st
   // Which number holds: an H word of any block, or with OFH = 1 of a block with G43, G44 (or G43.4, G43.5) only; there
   // a first G43 without H means H0. So may a G49 without H.
   const bool sets = code == kG43 || code == kG44 || words.starts_tip_control();
-  const bool ofh = ofh_ && !fault(Fault::h_modal_under_ofh);
   std::uint32_t number = number_;
   bool takes = false;
-  if (has_h && (!ofh || sets)) {
+  if (has_h && (!ofh_ || sets)) {
     number = whole_number(words['H'], memory.count());
     takes = true;
-  } else if ((ofh && sets && mode_ == Mode::off) || (code == kG49 && !has_h && g49_sets_h0_)) {
+  } else if ((ofh_ && sets && mode_ == Mode::off) || (code == kG49 && !has_h && g49_sets_h0_)) {
     number = 0;
   }
   const Mode mode = mode_after(code);
@@ -157,9 +154,9 @@ Alarm ToolLengthOffset::apply(const Words& words, const OffsetMemory& memory, st
 
 // G49.
 Alarm ToolLengthOffset::end_mode() {
-  if (std::popcount(live_) >= 3 && !fault(Fault::g49_any_number)) return AlarmCause::length_offset_axes;
+  if (std::popcount(live_) >= 3) return AlarmCause::length_offset_axes;
   for (std::size_t axis = 0; axis < axes_; ++axis)
-    if ((live_ & bit(axis)) != 0 && (axis == z_ || !fault(Fault::g49_z_only))) set(axis, Count());
+    if ((live_ & bit(axis)) != 0) set(axis, Count());
   set_length(Count());
   last_ = taken_ = 0;
   edited_ = false;
@@ -171,7 +168,7 @@ Alarm ToolLengthOffset::check(std::uint16_t axes) const {
   if (type_ != Type::c) return AlarmCause::none;
   if (axes == 0) return AlarmCause::length_offset_without_axis;
   const bool second = std::popcount(axes) > 1 || (live_ & ~axes) != 0;
-  return second && !(tal_ || fault(Fault::tal_ignored)) ? AlarmCause::length_offset_second_axis : AlarmCause::none;
+  return second && !tal_ ? AlarmCause::length_offset_second_axis : AlarmCause::none;
 }
 
 void ToolLengthOffset::take_value(const Count& value, std::uint16_t axes) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fast/fanuc/tool_offset/tool_offset.h"
 
-#include "fast/basis/fault.h"
-
 namespace toolcomp::fast {
 
 ToolOffset::ToolOffset(const spec::Setup& setup) : number_by_h_(!setup.bit(5001, 2) && setup.bit(5001, 5)) {}
@@ -13,18 +11,16 @@ void ToolOffset::add(std::size_t axis, const Count& change) {
   live_ = static_cast<std::uint16_t>(shift_[axis].is_zero() ? live_ & ~bit : live_ | bit);
 }
 
-void ToolOffset::clear(std::size_t axis) {
-  if (!fault(Fault::g53_keeps_shift)) add(axis, -shift_[axis]);
-}
+void ToolOffset::clear(std::size_t axis) { add(axis, -shift_[axis]); }
 
 Count ToolOffset::increase(Code code, const Count& value) {
   switch (code) {
     case kG45:
       return value;
     case kG46:
-      return fault(Fault::g46_as_g45) ? value : -value;
+      return -value;
     case kG47:
-      return fault(Fault::g47_once) ? value : value + value;
+      return value + value;
     default:
       return -(value + value);
   }
@@ -32,8 +28,8 @@ Count ToolOffset::increase(Code code, const Count& value) {
 
 int ToolOffset::sense(const Count& travel, const spec::Decimal& word, bool incremental) {
   if (!travel.is_zero()) return travel < Count() ? -1 : 1;
-  if (!incremental && !fault(Fault::absolute_zero_travel_moves)) return 0;
-  return word.negative && !fault(Fault::sign_of_zero_ignored) ? -1 : 1;
+  if (!incremental) return 0;
+  return word.negative ? -1 : 1;
 }
 
 Alarm ToolOffset::arc(const std::array<Count, 2>& travel, const std::array<Count, 2>& to_center, const Count& increase,
@@ -45,13 +41,11 @@ Alarm ToolOffset::arc(const std::array<Count, 2>& travel, const std::array<Count
   const Count radius = magnitude(center);
   const bool quarter =
       to_center[across].is_zero() && travel[arc.along] == center && magnitude(travel[across]) == radius;
-  if (!quarter && !fault(Fault::any_arc_is_offset)) return AlarmCause::tool_offset_arc;
+  if (!quarter) return AlarmCause::tool_offset_arc;
   const Count offset_radius = radius + increase;
-  if (offset_radius < Count() || (fault(Fault::zero_radius_refused) && offset_radius.is_zero()))
-    return AlarmCause::arc_ends_in_center;
+  if (offset_radius < Count()) return AlarmCause::arc_ends_in_center;
   arc.zero = offset_radius.is_zero();
   arc.to_center = center < Count() ? -offset_radius : offset_radius;
-  if (fault(Fault::center_not_offset)) arc.to_center = center;
   return AlarmCause::none;
 }
 

@@ -3,16 +3,9 @@
 
 #include <cmath>
 
-#include "fast/basis/fault.h"
-
 namespace toolcomp::fast {
 
 SineCosine<double> EvenAngle::afresh(std::uint32_t numerator, std::uint32_t denominator) {
-  if (fault(Fault::posture_linear_weights)) {
-    const double t = static_cast<double>(numerator) / denominator;
-    const double angle = std::atan2(t * std::sin(radians_), 1 - t + t * std::cos(radians_));
-    return {std::sin(angle), std::cos(angle)};
-  }
   if (denominator != denominator_) {
     denominator_ = denominator;
     const double step = radians_ / denominator;

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 
-#include "fast/basis/fault.h"
 #include "fast/geometry/vector3.h"
 #include "fast/kinematics/kinematics.h"
 
@@ -22,7 +21,7 @@ class EvenAngle {
     constexpr std::uint32_t kAfresh = 8;
     const bool next = denominator == denominator_ && numerator == numerator_ + 1 && numerator % kAfresh != 0;
     numerator_ = numerator;
-    if (!next || fault(Fault::posture_linear_weights)) return last_ = afresh(numerator, denominator);
+    if (!next) return last_ = afresh(numerator, denominator);
     last_ = {last_.sine - (last_.sine * versine_ - last_.cosine * sine_),
              last_.cosine - (last_.cosine * versine_ + last_.sine * sine_)};
     return last_;

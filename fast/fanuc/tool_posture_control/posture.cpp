@@ -4,7 +4,6 @@
 #include <cmath>
 #include <string>
 
-#include "fast/basis/fault.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::fast {
@@ -59,7 +58,7 @@ struct ToolPostureControl::FineArc {
 
 ToolPostureControl::ToolPostureControl(const spec::Setup& setup, const Machine& machine)
     : machine_(machine),
-      by_default_(setup.bit(19604, 0) && !fault(Fault::posture_default_ignored)),
+      by_default_(setup.bit(19604, 0)),
       refusal_alarms_(setup.bit(19696, 3)),
       veto_(angle(setup, 19739)) {
   const Count limit = angle(setup, 19738);
@@ -217,7 +216,7 @@ void ToolPostureControl::from_singular(const FineArc& arc, PosturePlan& plan) co
   const Int128 swung = from_limit(arc.roots.hx, hy, branch).units();
   const Int128 work = machine_.count(end, w).units() + signed_by(machine_.sense(w), swung);
   plan.turned = arc.start;
-  if (magnitude(work - arc.from[w]) > kSlack && !fault(Fault::posture_no_pre_turn)) {
+  if (magnitude(work - arc.from[w]) > kSlack) {
     plan.pre_turn = true;
     if (swung == 0) {
       plan.turned.axis[w] = end.axis[w];
@@ -337,11 +336,9 @@ bool ToolPostureControl::change_end(const FineArc& arc, int pole, PosturePlan& p
   const Int128 work = machine_.count(plan.end, w).units();
   const Int128 veto = veto_.units();
   if (veto < 0) return false;
-  const Int128 half = fault(Fault::posture_veto_without_half_turn) ? Int128{0} : kHalf;
-  if (magnitude(wrapped(work - arc.from[w] - half)) > veto + kSlack) return false;
+  if (magnitude(wrapped(work - arc.from[w] - kHalf)) > veto + kSlack) return false;
   const Int128 singular_psi = pole > 0 ? Int128{0} : arc.branch * kHalf;
   Int128 singular = arc.from[t] + signed_by(machine_.sense(t), singular_psi - arc.psi);
-  if (fault(Fault::posture_mirrored_at_zero)) singular = 0;
   Pose changed = plan.end;
   machine_.set_rounded(changed, t, Count::of_units(2 * singular - machine_.count(plan.end, t).units()));
   changed.axis[w] = arc.start.axis[w];

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <type_traits>
 
-#include "fast/basis/fault.h"
-
 namespace toolcomp::fast {
 namespace {
 
@@ -185,8 +183,7 @@ bool Search<T>::nearness(const NearLimit& limit) {
   if (pole == 0) return true;
   // The cosine of its distance.
   const T of_ends = pole > 0 ? larger(s_.z, e_.z) : larger(-s_.z, -e_.z);
-  const bool by_ends = fault(Fault::posture_near_by_ends);
-  const bool inside = (pole > 0 ? top_ : bottom_) && !by_ends;
+  const bool inside = pole > 0 ? top_ : bottom_;
   T square;
   T cosine;
   if constexpr (kRough) {
@@ -197,9 +194,7 @@ bool Search<T>::nearness(const NearLimit& limit) {
     cosine = limit.fine.cosine;
   }
   bool near = false;
-  if (by_ends)
-    near = leading(of_ends) > leading(cosine);
-  else if (inside)
+  if (inside)
     near = limit.above_90 || judge_.sign(square * nn_ - n2_, leading(nn_) * blur_, std::sqrt(leading(nn_))) > 0;
   else
     near = limit.above_180 || judge_.sign(of_ends - cosine, 1) > 0;

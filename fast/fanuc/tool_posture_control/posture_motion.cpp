@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fast/basis/fault.h"
-
 namespace toolcomp::fast {
 namespace {
 
@@ -281,7 +279,6 @@ void PostureMotion::settle(PostureSample& sample) {
 }
 
 void PostureMotion::at(std::uint32_t numerator, std::uint32_t denominator, PostureSample& sample) {
-  if (fault(Fault::tip_sample_from_the_end)) numerator = denominator - numerator;
   switch (law_) {
     case Law::still:
       sample = still_;

@@ -2,7 +2,6 @@
 // The posture of the usual block, in doubles: away from singular postures and the limits of reach.
 #include <cmath>
 
-#include "fast/basis/fault.h"
 #include "fast/basis/short_cut.h"
 #include "fast/fanuc/tool_posture_control/posture.h"
 
@@ -54,8 +53,7 @@ bool ToolPostureControl::usual_plan(const Pose& start, const Target& target, Pos
   arc.meridian = target.pose != nullptr && polar.orthogonal() && start.axis[w].kind == RotaryPosition::Kind::exact &&
                  end.axis[w].kind == RotaryPosition::Kind::exact && start.axis[w].count == end.axis[w].count;
   ArcFindings found;
-  if (!find(polar, arc, target.tool != nullptr && !fault(Fault::usual_posture_near) ? near_ : kNoLimit, found))
-      [[unlikely]]
+  if (!find(polar, arc, target.tool != nullptr ? near_ : kNoLimit, found)) [[unlikely]]
     return false;
   if (found.parallel || found.start_pole != 0 || found.end_pole != 0 || found.crossing != 0 || found.near != 0)
     return false;
@@ -81,8 +79,8 @@ bool ToolPostureControl::usual_plan(const Pose& start, const Target& target, Pos
   if (target.pose != nullptr) {
     // Other whole turns, or the other branch: at least half a turn away.
     const double near_tool = start.axis[t].degrees + machine_.sense(t) * (start.branch * std::abs(end.psi) - start.psi);
-    if ((end.branch != start.branch && !fault(Fault::usual_posture_branch)) ||
-        std::abs(end.axis[t].degrees - near_tool) > 1 || std::abs(end.axis[w].degrees - near_work) > 180) {
+    if (end.branch != start.branch || std::abs(end.axis[t].degrees - near_tool) > 1 ||
+        std::abs(end.axis[w].degrees - near_work) > 180) {
       plan.branch_warning = true;
       conventional(start, end, plan);
       return true;

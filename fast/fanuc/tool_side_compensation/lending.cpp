@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "fast/basis/fault.h"
 #include "fast/basis/short_cut.h"
 #include "fast/fanuc/corner/lent_path.h"
 #include "fast/fanuc/tool_side_compensation/tool_side_compensation.h"
@@ -29,9 +28,7 @@ int facing(const Direction& tool, const std::array<std::size_t, 2>& in) {
 // Where lines alone come, they are for those who take lines.
 bool ToolSideCompensation::can_await_paths() {
   const SidePath* const before = at_start().corner.first;
-  return count_ == 1 && moves_at_end_ && (last_->arc || (before != nullptr && before->arc)) &&
-         !fault(Fault::side_small_movement_one_axis) && !fault(Fault::side_stop_owner) &&
-         !fault(Fault::side_limit_by_length) && !fault(Fault::c_spiral_as_circle);
+  return count_ == 1 && moves_at_end_ && (last_->arc || (before != nullptr && before->arc));
 }
 
 bool ToolSideCompensation::lend(UsualLoan& loan) {
@@ -43,13 +40,12 @@ bool ToolSideCompensation::lend(UsualLoan& loan) {
   loan.event = &ring_[first_].event;
   loan.sink = sink_;
   loan.offset.radius = path.offset.nearest;
-  const int exchanged = fault(Fault::usual_side_path_behind) ? 1 : looks;
-  loan.offset.left = exchanged * path.side * path.offset.nearest;
+  loan.offset.left = looks * path.side * path.offset.nearest;
   loan.offset.limit = parameters_.limit_value;
   loan.offset.keeps_all = parameters_.keeps_all;
   loan.corner_move = &corner_move(start);
   loan.in_space = true;
-  loan.shortest = fault(Fault::usual_side_path_shortest) ? 0 : shortest_;
+  loan.shortest = shortest_;
   if (path.arc && !(starts_on_circle() && has_offset_path(loan.path, loan.offset))) return false;
   loan.start.size = 0;
   for (std::size_t i = 0; i < start.size; ++i) {

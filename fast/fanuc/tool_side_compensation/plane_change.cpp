@@ -6,7 +6,6 @@
 
 #include "fast/arithmetic/trigonometry.h"
 #include "fast/arithmetic/wide.h"
-#include "fast/basis/fault.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::fast {
@@ -19,7 +18,6 @@ PlaneChangeLimit::PlaneChangeLimit(const spec::Setup& setup) {
       throw spec::InputError("setup", 0, 0, "parameters.\"6261\": must be from 0 to 180 degrees");
     angle = Count::of(*value);
   }
-  if (fault(Fault::side_tilt_limit_always_45)) angle = degrees(45);
   cosine_ = fine_sine_cosine(angle).cosine;
   constexpr struct {
     int angle, quarters;
@@ -29,10 +27,6 @@ PlaneChangeLimit::PlaneChangeLimit(const spec::Setup& setup) {
       rational_ = true;
       quarters_ = rational.quarters;
     }
-  if (fault(Fault::side_tilt_limit_supplement) && cosine_.hi < 0) {
-    cosine_ = -cosine_;
-    quarters_ = -quarters_;
-  }
 }
 
 bool PlaneChangeLimit::reached(const Kinematics& kinematics, const Direction& first, const Direction& second) const {

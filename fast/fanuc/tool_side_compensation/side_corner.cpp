@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "fast/basis/fault.h"
-
 namespace toolcomp::fast {
 namespace {
 

@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "fast/basis/fault.h"
-
 namespace toolcomp::fast {
 namespace {
 
@@ -36,7 +34,6 @@ bool SideGroups::meet(const SideCorner& corner, HeadKind kind, Vector3<double>& 
 // What double-double cannot tell is taken for equal.
 bool SideGroups::is_small_movement(const SideGroup& group, std::size_t a, std::size_t b) const {
   Vector3<double> difference = group.head[a].vector - group.head[b].vector;
-  if (fault(Fault::side_small_movement_one_axis)) difference = {difference.x, 0, 0};
   const double distance = std::sqrt(dot(difference, difference));
   const double over = distance - parameters_.limit_value;
   const double scale = 4 * group.corner.offset->nearest + parameters_.limit_value;

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstdint>
 
-#include "fast/basis/fault.h"
 #include "fast/fanuc/corner/corner_group.h"
 #include "fast/fanuc/tool_side_compensation/plane_change.h"
 #include "fast/fanuc/tool_side_compensation/side_corner.h"
@@ -61,9 +60,6 @@ class SideGroups : public CornerGroups<SideGroups, SideGroup> {
 
  private:
   friend CornerGroups;
-  static constexpr Fault kReversalInner = Fault::side_reversal_inner;
-  static HeadKind obtuse() { return HeadKind::tangents_meet; }
-  static HeadKind start() { return HeadKind::second_normal; }
   [[nodiscard]] bool starts_with_normal() const { return !parameters_.bare_b; }
   [[nodiscard]] bool cancels_with_normal() const { return !parameters_.bare_b; }
 
@@ -92,7 +88,7 @@ inline bool SideGroups::make(SideGroup& group, CornerRule rule, Treatment treatm
   }
   if (!CornerGroups::make(group, rule)) return false;
   const bool first_only = treatment == Treatment::first_only && rule == CornerRule::ordinary && !group.corner.flat;
-  if (first_only && !fault(Fault::side_q2_ignored)) group.size = 1;
+  if (first_only) group.size = 1;
   return true;
 }
 

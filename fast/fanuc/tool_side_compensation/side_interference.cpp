@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fast/basis/fault.h"
-
 namespace toolcomp::fast {
 namespace {
 

@@ -7,7 +7,6 @@
 
 #include "fast/arithmetic/count.h"
 #include "fast/arrays/position_arrays.h"
-#include "fast/basis/fault.h"
 
 namespace toolcomp::fast {
 namespace {
@@ -65,8 +64,7 @@ struct Tools {
 
 // The corner at the end of line i, before line i + 1: see_line() and take_line().
 struct Corners {
-  [[gnu::always_inline]] static void run(Lines* lines, std::size_t size, double radius, double shortest,
-                                         std::size_t turned) {
+  [[gnu::always_inline]] static void run(Lines* lines, std::size_t size, double radius, double shortest) {
     constexpr double kMostSquare = 0x1p60;
     constexpr double kUncertain = 0x1p-38;
     constexpr double kMost = (1 - 0x1p-30) / static_cast<double>(Count::kSmallPerOne);
@@ -76,7 +74,7 @@ struct Corners {
     for (std::size_t i = 0; i < size; ++i) {
       const Vector3<double> first{travel.x[i], travel.y[i], travel.z[i]};
       const Vector3<double> way{travel.x[i + 1], travel.y[i + 1], travel.z[i + 1]};
-      const Vector3<double> v{tool.x[i + turned], tool.y[i + turned], tool.z[i + turned]};
+      const Vector3<double> v{tool.x[i], tool.y[i], tool.z[i]};
       const double square_of_first = lines->square[i];
       const double square = lines->square[i + 1];
       const double along1 = dot(v, first);
@@ -140,12 +138,10 @@ SideLineEnd take_side_lines(const LineChunk& chunk, const SideLineStart& start) 
     std::fill_n(lines.tool.y.begin() + 1, size, start.tool.y);
     std::fill_n(lines.tool.z.begin() + 1, size, start.tool.z);
   }
-  const std::size_t turned = fault(Fault::side_lines_turned_tool) ? 1 : 0;
-  run_by<Corners>(by, &lines, size, start.radius, start.shortest, turned);
+  run_by<Corners>(by, &lines, size, start.radius, start.shortest);
   std::size_t taken = size;
   if (run_by<Forward>(by, &lines, size) != 0)
     taken = static_cast<std::size_t>(std::ranges::find(lines.refused, 1) - lines.refused.begin());
-  if (fault(Fault::side_lines_unchecked)) taken = size;
   Moves& moves = *chunk.moves;
   write_positions(by, lines.at.x.data(), lines.vector.x.data() + 1, moves.next_of(0), taken);
   write_positions(by, lines.at.y.data(), lines.vector.y.data() + 1, moves.next_of(1), taken);

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "fast/basis/fault.h"
-
 namespace toolcomp::fast {
 namespace {
 
@@ -35,7 +33,7 @@ ToolSideCompensation::ToolSideCompensation(const spec::Setup& setup, const Kinem
     to.normal = 3 - block.in[0] - block.in[1];
   }
   to.tool = &kept_tool(block);
-  to.side = fault(Fault::side_handedness) ? -block.side : block.side;
+  to.side = block.side;
   to.offset = value_;
   to.offset_change = value_change_;
 }
@@ -55,13 +53,6 @@ const Direction& ToolSideCompensation::keep_tool(const Direction& tool) {
 }
 
 [[gnu::always_inline]] inline bool ToolSideCompensation::moves(const SeenLine& line, const ToolPlane& plane) const {
-  const Travel& travel = line.travel;
-  if (fault(Fault::side_limit_by_length)) {
-    // The length of the block itself, not of its projection.
-    const double limit = parameters_.no_movement.nearest * travel.unit;
-    if (travel.zero || travel.square < limit * limit) return false;
-    return plane.moves(line, Amount());
-  }
   return plane.moves(line, parameters_.no_movement);
 }
 
@@ -113,7 +104,7 @@ StageEnd ToolSideCompensation::block() {
     repeated_ = false;
     start_tool_ = *block.tool;
     start_offset_ = value_;
-    start_of_path_ = {&start_tool_, fault(Fault::side_handedness) ? -block.side : block.side, &start_offset_};
+    start_of_path_ = {&start_tool_, block.side, &start_offset_};
     hold();
     return {};
   }
@@ -131,7 +122,7 @@ StageEnd ToolSideCompensation::block() {
 
 // The block right after a start of type C.
 StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
-  const int side = fault(Fault::side_handedness) ? -block.side : block.side;
+  const int side = block.side;
   const bool moves_at_end = next_moves();
   if (!block.wanted || !next_moves_at(start_tool_) || side != start_of_path_.side ||
       (block.arc && (on_edge(block, start_tool_) || on_edge(block, *block.tool))))
@@ -222,7 +213,7 @@ StageEnd ToolSideCompensation::still_block(ToolSideBlock& block) {
     repeated_ |= block.repeated;
     ++still_;
     hold();
-    if (where.at_end && !fault(Fault::side_passed_over_keeps))
+    if (where.at_end)
       waiting_[waiting_count_++] = {&to, static_cast<std::uint8_t>(count_ - waits_ - 1U), false, false, {}};
     else if (waiting_count_ > 0 && waiting_[waiting_count_ - 1].next.path == &to)
       waiting_[waiting_count_ - 1].next.keeps = true;
@@ -301,8 +292,6 @@ void ToolSideCompensation::set_corner(SideGroup& group, const SidePath* second, 
   corner.first = last_;
   corner.second = second;
   corner.tool = last_->tool;
-  if (fault(Fault::side_tool_at_start)) corner.tool = start_of_path_.tool;
-  if (fault(Fault::side_turned_tool) && count_ > waits_ + 1) corner.tool = ring_[(first_ + waits_ + 1U) % slots_].tool;
   corner.first_side = last_->side;
   corner.second_side = second == nullptr ? last_->side : second->side;
   corner.offset = &last_->offset;

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <optional>
 
-#include "fast/basis/fault.h"
 #include "fast/fanuc/control/stage.h"
 #include "fast/fanuc/control/usual_space_lines.h"
 #include "fast/fanuc/corner/usual_paths.h"
@@ -22,8 +21,7 @@ class ToolSideStage final : private BlockTaker, public Stage {
   ToolSideStage(const spec::Setup& setup, Control& control, EventSink& sink)
       : Stage(control, true),
         compensation_(setup, control.kinematics, sink),
-        refuses_arcs_(setup.series == spec::Series::series_30i && control.kinematics.type() == 21 &&
-                      !fault(Fault::side_arc_on_mixed)),
+        refuses_arcs_(setup.series == spec::Series::series_30i && control.kinematics.type() == 21),
         lines_(control),
         paths_(control, compensation_) {}
 

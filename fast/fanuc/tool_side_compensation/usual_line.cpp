@@ -17,14 +17,10 @@ void ToolSideCompensation::await_usual(const ToolSideBlock& block) {
 bool ToolSideCompensation::holds_usual_path(const ToolSideBlock& block) const {
   return block.wanted && mode_ == Mode::on && held_ == Held::path && last_ == &paths_[path_] && !starts_up_ &&
          !after_start_ && !repeated_ && treatment_ == Treatment::none && !parameters_.no_interference && waits_ == 0 &&
-         last_->offset.nearest != 0 && block.side == last_->side && last_->offset_change == value_change_ &&
-         !fault(Fault::side_handedness);
+         last_->offset.nearest != 0 && block.side == last_->side && last_->offset_change == value_change_;
 }
 
-bool ToolSideCompensation::can_await_line() {
-  return !last_->arc && last_->travel.narrow && at_start().size == 1 && !fault(Fault::side_tool_at_start) &&
-         !fault(Fault::side_turned_tool) && !fault(Fault::side_limit_by_length);
-}
+bool ToolSideCompensation::can_await_line() { return !last_->arc && last_->travel.narrow && at_start().size == 1; }
 
 // |u|^2 + u . (vector - start), by |u|; u = U - (V . U) V.
 bool ToolSideCompensation::goes_forward(const SidePath& path, double length, const Vector3<double>& vector) const {

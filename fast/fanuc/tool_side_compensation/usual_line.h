@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "fast/basis/fault.h"
 #include "fast/fanuc/control/event_in_space.h"
 #include "fast/fanuc/tool_side_compensation/tool_side_compensation.h"
 
@@ -44,14 +43,14 @@ namespace toolcomp::fast {
     return false;
   const double scale = line_.radius / (lengths + corner.product);
   const SidePath& from = paths_[path_];
-  const Direction& seen_along = fault(Fault::usual_side_line_turned_tool) ? tool : *from.tool;
+  const Direction& seen_along = *from.tool;
   const Vector3<double> v{seen_along.unit[0], seen_along.unit[1], seen_along.unit[2]};
   const Vector3<double> vector = cross(v, from.travel.value * corner.length2 + way * corner.length1) * scale;
   // The tool goes forward for certain: the vector moves by less than the way.
   constexpr double kMost = (1 - 0x1p-30) / static_cast<double>(Count::kSmallPerOne);
   if (std::abs(vector.x - line_.vector.x) + std::abs(vector.y - line_.vector.y) + std::abs(vector.z - line_.vector.z) >=
           kMost * corner.length1 &&
-      !goes_forward(from, corner.length1, vector) && !fault(Fault::usual_side_line_unchecked)) [[unlikely]]
+      !goes_forward(from, corner.length1, vector)) [[unlikely]]
     return false;
 
   path_ = after(path_);

@@ -30,7 +30,7 @@ void ToolSideStage::end() { lines_.leave().end(); }
   // What is done until the line is taken is of no harm where it is not.
   const std::uint64_t direction = control_.attitude.directions().number();
   lines_.turn(line);
-  if (UsualSpaceLines::names_feed(line) && !fault(Fault::usual_side_line_feed)) [[unlikely]] {
+  if (UsualSpaceLines::names_feed(line)) [[unlikely]] {
     lines_.take_feed();
     compensation_.await_lines(lines_.are_plain());
   }

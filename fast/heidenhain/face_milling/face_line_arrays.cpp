@@ -8,7 +8,6 @@
 
 #include "fast/arrays/position_arrays.h"
 #include "fast/arrays/whole_numbers.h"
-#include "fast/basis/fault.h"
 #include "fast/geometry/vector3.h"
 #include "fast/heidenhain/program/whole_vector.h"
 
@@ -155,7 +154,7 @@ FaceLineEnd take_face_lines(const LineChunk& chunk, const FaceLineStart& start,
     run_by<Meetings>(by, n[0], n[1], n[2], whole.x.data(), whole.y.data(), whole.z.data(), &blocks, size,
                      values.has_ring);
   }
-  if (values.effective_ring > 0 && !fault(Fault::face_lines_jump_unnoticed)) run_by<Jumps>(by, &blocks, size);
+  if (values.effective_ring > 0) run_by<Jumps>(by, &blocks, size);
   const Tips tips{start.contour ? values.effective_corner : values.corner_delta,
                   start.contour ? values.effective_ring : values.ring_delta, start.tip_below, values.length_delta,
                   start.contour};

@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "fast/basis/fault.h"
-
 namespace toolcomp::fast::klartext {
 namespace {
 
@@ -42,16 +40,14 @@ Alarm FaceMilling::deviate(const Meeting& meeting, const ToolVector& tool, const
                                  : ContactAngle(normal(), tool.vector(), std::sqrt(meeting.square), whole_dot(tool));
   const DeviationTable& table = *effective.deviations();
   if (!table.find(angle, deviation_)) return AlarmCause::deviation_range;
-  if (!fault(Fault::deviation_negative_unnoticed) &&
-      table.below(effective.corner_without_deviation(), effective.nearest_corner_without_deviation(), angle,
+  if (table.below(effective.corner_without_deviation(), effective.nearest_corner_without_deviation(), angle,
                   deviation_))
     return AlarmCause::corner_radius_negative;
   degrees_ = angle.degrees();
   // A ball: no ring.
   ball_ = effective.values();
   ball_.corner_delta = deviation_.value + effective.corner_delta_without_deviation();
-  ball_.effective_corner =
-      ball_.corner + (fault(Fault::face_deviation_without_call) ? deviation_.value : ball_.corner_delta);
+  ball_.effective_corner = ball_.corner + ball_.corner_delta;
   ball_.ring = ball_.effective_ring = ball_.ring_delta = 0;
   return effective.check_after_angle(permitted);
 }

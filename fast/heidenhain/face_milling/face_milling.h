@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "fast/basis/fault.h"
 #include "fast/heidenhain/face_milling/face_line_arrays.h"
 #include "fast/heidenhain/program/effective_tool.h"
 #include "fast/heidenhain/program/event_writer.h"
@@ -163,7 +162,7 @@ inline void FaceMilling::mill(MoveHead& head, const Meeting& meeting, const Tool
     warnings |= kNormalNotNormalized;
   if (below(meeting.cosine, tool)) [[unlikely]]
     warnings |= kNormalBelow;
-  if (values.effective_ring > 0 && jump(meeting, tool) && !fault(Fault::face_jump_unnoticed)) [[unlikely]]
+  if (values.effective_ring > 0 && jump(meeting, tool)) [[unlikely]]
     warnings |= kContactJump;
   head.warnings = static_cast<Warnings>(warnings);
   before_.any = true;
@@ -176,12 +175,10 @@ inline void FaceMilling::mill(MoveHead& head, const Meeting& meeting, const Tool
   placement.tool = meeting.t;
   placement.corner = values.effective_corner;
   placement.shift = lean * values.corner_delta + meeting.u * values.ring_delta;
-  if (fault(Fault::face_tip_along_normal))
-    placement.shift = meeting.n * values.corner_delta + meeting.u * values.ring_delta;
   Vector q = zero_vector();  // from the programmed point
   const double tip_below = programmed.tip_below(values, true);
   if (programmed.contour) [[unlikely]] {
-    const double corner = fault(Fault::contour_nominal_corner) ? values.corner : placement.corner;
+    const double corner = placement.corner;
     placement.tip = lean * corner + meeting.u * values.effective_ring - meeting.t * tip_below;
   } else {
     placement.tip = placement.shift;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drilling cycles: their parameters, and the hole of a call.
-#include "fast/basis/fault.h"
 #include "fast/heidenhain/interpreter/interpreter.h"
 
 namespace toolcomp::fast::klartext {
@@ -39,9 +38,9 @@ bool Interpreter::hole_needs_unknown() const {
 Alarm Interpreter::find_levels(DrillingLevels& levels) const {
   const Count& clearance = parameters_.value(spec::klartext::kSetUpClearance);
   const Count& second = parameters_.value(spec::klartext::kSecondClearance);
-  const bool higher = clearance < second && !fault(Fault::klartext_second_clearance_ignored);
+  const bool higher = clearance < second;
   Count surface = parameters_.value(spec::klartext::kSurface);
-  if (!fault(Fault::klartext_hole_unshifted)) surface += shift_[tool_axis_];
+  surface += shift_[tool_axis_];
   levels.point_r = surface + clearance;
   levels.bottom = surface + parameters_.value(spec::klartext::kDepth);
   levels.level = surface + (higher ? second : clearance);

@@ -4,7 +4,6 @@
 #include <bit>
 #include <utility>
 
-#include "fast/basis/fault.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::fast::klartext {
@@ -122,7 +121,7 @@ void Interpreter::start_acting(Functions functions) {
   if ((functions & kOversize) != 0) oversize_ = true;
   if ((functions & kTcpm) != 0) {
     switch_tcpm_on();
-    if (!fault(Fault::klartext_reference_stays)) center_ = setup_.m128_reference == spec::M128Reference::center;
+    center_ = setup_.m128_reference == spec::M128Reference::center;
   }
 }
 
@@ -139,7 +138,7 @@ void Interpreter::switch_tcpm_on() {
   face_.keep_tool();
   if (by_vector_)
     direction_->copy(left_);
-  else if (!fault(Fault::klartext_tcpm_along_axis))
+  else
     turn_by_positions();
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 
-#include "fast/basis/fault.h"
 #include "fast/heidenhain/interpreter/interpreter.h"
 
 namespace toolcomp::fast::klartext {

@@ -2,7 +2,6 @@
 // Blocks that move without axis words, M140 and departures from a contour, and positions that nobody knows.
 #include <bit>
 
-#include "fast/basis/fault.h"
 #include "fast/heidenhain/interpreter/interpreter.h"
 
 namespace toolcomp::fast::klartext {
@@ -25,7 +24,7 @@ Alarm Interpreter::place_without_words(const Block& block) {
     case spec::klartext::Retraction::to_limit:
       // How far it is nobody knows, but where to: any length directs the block that is held.
       slack = direction_->way(Count::of(spec::decimal(1000)), way);
-      if (!fault(Fault::klartext_limit_is_known)) set_unknown(before | direction_->components());
+      set_unknown(before | direction_->components());
       break;
     case spec::klartext::Retraction::none:
       set_unknown(before | (kMainSlots & ~(1U << tool_axis_)));
@@ -40,7 +39,6 @@ Alarm Interpreter::place_without_words(const Block& block) {
 Alarm Interpreter::retract(const Block& block, std::array<Count, 3>& way, double& slack) {
   Count length;
   if (!parameters_.read(block.retraction_by, length)) return AlarmCause::position_range;
-  if (fault(Fault::klartext_retraction_backwards)) length = -length;
   slack = direction_->way(length, way);
   slack_ += slack;
   for (std::size_t slot = 0; slot < 3; ++slot) {
@@ -58,7 +56,7 @@ Alarm Interpreter::settle(const Block& block) {
   const unsigned positions = block.axes & ~static_cast<unsigned>(block.incremental);
   rounded_ = static_cast<std::uint16_t>(rounded_ & ~positions);
   if (rounded_ == 0) slack_ = 0;
-  if (!fault(Fault::klartext_word_leaves_unknown)) set_unknown(before & ~positions);
+  set_unknown(before & ~positions);
   return needs_unknown(block, before) ? AlarmCause::not_judged : AlarmCause::none;
 }
 

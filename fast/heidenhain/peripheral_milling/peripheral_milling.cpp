@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fast/heidenhain/peripheral_milling/peripheral_milling.h"
 
-#include "fast/basis/fault.h"
-
 namespace toolcomp::fast::klartext {
 
 inline void PeripheralMilling::keep(const Lateral& made_from, const Vector& unit) {
@@ -33,7 +31,7 @@ bool PeripheralMilling::keep_direction() {
 }
 
 inline Lateral PeripheralMilling::lateral(const ToolVector& tool, const PeripheralMotion& motion) {
-  return {&tool, &motion.travel, fault(Fault::peripheral_sides_exchanged) ? -motion.side : motion.side};
+  return {&tool, &motion.travel, motion.side};
 }
 
 inline Alarm PeripheralMilling::corner(const Lateral& own, const Lateral& coming, Vector& between) {
@@ -41,20 +39,14 @@ inline Alarm PeripheralMilling::corner(const Lateral& own, const Lateral& coming
   Vector next;
   if (directions_of(own, coming, c, next)) [[likely]] {
     keep(coming, next);
-    if (fault(Fault::peripheral_own_direction_at_corner))
-      between = c;
-    else if (!mitre(c, own, next, coming, between))
-      return AlarmCause::opposite_directions;
+    if (!mitre(c, own, next, coming, between)) return AlarmCause::opposite_directions;
     return AlarmCause::none;
   }
   if (!direct(own)) return AlarmCause::no_direction;
   c = last_unit_;
   const Lateral made_from = last_;
   (void)direct(coming);  // there is one
-  if (fault(Fault::peripheral_own_direction_at_corner))
-    between = c;
-  else if (!mitre(c, made_from, last_unit_, last_, between))
-    return AlarmCause::opposite_directions;
+  if (!mitre(c, made_from, last_unit_, last_, between)) return AlarmCause::opposite_directions;
   return AlarmCause::none;
 }
 
@@ -67,7 +59,7 @@ Alarm PeripheralMilling::hold() {
     return AlarmCause::none;
   }
   const PeripheralMotion& former = ring_[held_];
-  const ToolVector& tool = fault(Fault::peripheral_tool_of_next_block) ? coming.tool : former.tool;
+  const ToolVector& tool = former.tool;
   Vector between;
   if (first_) {
     if (!direct(lateral(tool, coming))) return AlarmCause::no_direction;
@@ -84,7 +76,7 @@ Alarm PeripheralMilling::hold() {
 Alarm PeripheralMilling::follow() {
   const PeripheralMotion& former = ring_[held_];
   Lateral own = lateral(former.tool, former);
-  if (first_ && !fault(Fault::peripheral_first_by_own_travel)) own.travel = &next().travel;
+  if (first_) own.travel = &next().travel;
   if (!direct(own)) return AlarmCause::no_direction;
   send(last_unit_);
   holds_ = false;
@@ -105,8 +97,7 @@ void PeripheralMilling::send(const Vector& between) {
   Placement placement;
   placement.tool = former.tool.unit();
   placement.shift = between * former.radius_delta;
-  const double lateral = fault(Fault::peripheral_delta_as_shift) ? former.radius_delta : former.lateral;
-  placement.tip = between * lateral - placement.tool * former.tip_below;
+  placement.tip = between * former.lateral - placement.tool * former.tip_below;
   placement.corner = former.effective_corner;
   writer_.move(former.head, placement, former.length, first_ ? spec::Cause::start_up : spec::Cause::programmed);
 }

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "fast/arithmetic/count.h"
-#include "fast/basis/fault.h"
 #include "fast/heidenhain/program/contact_angle.h"
 #include "spec/language/setup.h"
 
@@ -54,10 +53,7 @@ class DeviationTable {
     double rate = 0;   // by degrees
     double bound = 0;  // of the error of a deviation
 
-    [[nodiscard]] double value_at(double other_degrees) const {
-      if (fault(Fault::face_deviation_steps)) return value;
-      return value + rate * (other_degrees - degrees);
-    }
+    [[nodiscard]] double value_at(double other_degrees) const { return value + rate * (other_degrees - degrees); }
   };
   static constexpr double kBound = 0x1p-48;
   // The first of the two points of the segment.

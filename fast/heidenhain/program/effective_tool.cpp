@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "fast/basis/fault.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::fast::klartext {
@@ -37,7 +36,7 @@ EffectiveTool::EffectiveTool(const spec::Setup& setup) : setup_(setup) {
 }
 
 void EffectiveTool::set_units(bool inch) {
-  factor_ = inch && !fault(Fault::klartext_table_in_inches) ? Factor::mm_to_inch : Factor::one;
+  factor_ = inch ? Factor::mm_to_inch : Factor::one;
   for (DeviationTable& table : tables_) table.set_units(factor_);
 }
 
@@ -63,7 +62,7 @@ bool EffectiveTool::call(std::string_view name) {
 void EffectiveTool::take(const spec::ToolRow* row) {
   called_ = true;
   call_ = {};
-  if (!fault(Fault::klartext_row_survives_tool_call)) row_ = {};
+  row_ = {};
   deviations_ = nullptr;
   length_.reset();
   if (row == nullptr) {
@@ -107,10 +106,9 @@ void EffectiveTool::set_row(std::optional<std::uint32_t> row) {
 }
 
 void EffectiveTool::update() {
-  const bool replaces = fault(Fault::klartext_call_length_replaces) && !call_.length.is_zero();
-  const Count length_delta = (replaces ? Count{} : own_.length) + call_.length + row_.length;
+  const Count length_delta = own_.length + call_.length + row_.length;
   const Count radius_delta = own_.radius + call_.radius + row_.radius;
-  const Count added_corner = fault(Fault::klartext_corner_row_ignored) ? call_.corner : call_.corner + row_.corner;
+  const Count added_corner = call_.corner + row_.corner;
   const Count corner_delta = own_.corner + added_corner;
   const Count effective_radius = radius_ + radius_delta;
   const Count effective_corner = corner_ + corner_delta;
@@ -127,7 +125,7 @@ void EffectiveTool::update() {
   values_.effective_radius = effective_radius.nearest();
   values_.effective_corner = effective_corner.nearest();
   values_.effective_ring = effective_ring.nearest();
-  values_.ring_delta = fault(Fault::face_radius_delta_ignored) ? 0 : (effective_ring - ring).nearest();
+  values_.ring_delta = (effective_ring - ring).nearest();
   values_.has_ring = !ring.is_zero() || !effective_ring.is_zero();
   values_.has_length = length_.has_value();
   values_.length = length_ ? (*length_ + length_delta).nearest() : 0;
@@ -144,7 +142,7 @@ void EffectiveTool::update() {
   };
   const bool shrunk = negative(effective_radius);
   const bool corner_negative = negative(effective_corner);
-  const bool oversize = positive(fault(Fault::klartext_oversize_of_table_only) ? own_.radius : radius_delta);
+  const bool oversize = positive(radius_delta);
   const Alarm always = first({{table, AlarmCause::tool_shape},
                               {shrunk, AlarmCause::effective_radius},
                               {corner_negative, AlarmCause::corner_radius_negative}});

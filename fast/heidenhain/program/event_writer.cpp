@@ -3,7 +3,6 @@
 
 #include <bit>
 
-#include "fast/basis/fault.h"
 #include "spec/language/run_end.h"
 
 namespace toolcomp::fast::klartext {
@@ -58,7 +57,7 @@ void EventWriter::hole(const MoveHead& head, const spec::Hole<double>& hole, con
   other_axes(hole_, head);
   put_xyz(hole_.point, head.xyz);
   put_xyz(hole_.axes, head.xyz);
-  if (!fault(Fault::klartext_hole_length_missing)) hole_.axes.value[hole.axis] += length.length_delta;
+  hole_.axes.value[hole.axis] += length.length_delta;
   sink_.on(hole_);
 }
 

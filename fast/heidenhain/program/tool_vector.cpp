@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "fast/arithmetic/trigonometry.h"
-#include "fast/basis/fault.h"
 
 namespace toolcomp::fast::klartext {
 namespace {
@@ -61,7 +60,6 @@ void ToolVector::turn(std::size_t axis, const std::array<Count, 3>& degrees) {
   const std::array<SineCosine<double>, 2> last = sine_cosine(degrees[1], degrees[2]);
   turn[1] = last[0];
   turn[2] = last[1];
-  if (fault(Fault::klartext_rotary_order)) std::swap(turn[0], turn[2]);
   unit_ = Vector(turned<double>(axis, turn[0], turn[1], turn[2], 1));
   whole_ = is_quarter(turn[0]) && is_quarter(turn[1]) && is_quarter(turn[2]);
   if (whole_) {

@@ -2,7 +2,6 @@
 // FUNCTION PROG PATH: what the programmed coordinates are, and what compensation starts from (heidenhain.contour.*).
 #pragma once
 
-#include "fast/basis/fault.h"
 #include "fast/heidenhain/program/effective_tool.h"
 
 namespace toolcomp::fast::klartext {
@@ -16,7 +15,7 @@ struct ProgrammedPoint {
   // that is not. IS CONTOUR counts in compensated ones alone; there the point is on the contour whatever REFPNT.
   [[nodiscard]] double tip_below(const ToolValues& tool, bool compensated) const {
     if (!center) return 0;
-    if (compensated && contour && !fault(Fault::contour_reference_counts)) return 0;
+    if (compensated && contour) return 0;
     return tool.corner;
   }
   // The distance of the tip from the programmed point under RL and RR.

@@ -5,14 +5,14 @@
 #include <iterator>
 #include <string_view>
 
-#include "fast/basis/fault.h"
+#include "fuzz/faults/fault.h"
 
 namespace {
 
 constexpr std::string_view kNames[] = {
     "none",
 #define TOOLCOMP_FAULT(name, mistake, section, budget, clauses) #name,
-#include "fast/basis/faults.inc"
+#include "fuzz/faults/faults.inc"
 #undef TOOLCOMP_FAULT
 };
 
