@@ -43,8 +43,8 @@ struct Engine::State {
   // Runs `work`, and ends the run if it raises an alarm or cannot decide.
   template <class Work>
   void guarded(const Work& work);
-  // The blocks before it are given as if nothing followed. If nothing may follow one of them, that block is at fault
-  // before this one.
+  // First the blocks that wait are made and given, as if this block were absent. If one of them raises an alarm now,
+  // that alarm ends the run instead. Otherwise this one is given (fanuc.cutter.order-of-alarms).
   void fail(const Alarm& alarm);
   void fail(const LeftOpen& open);
 
@@ -114,7 +114,7 @@ void Engine::State::run(const spec::Block& block) {
   recorder.at(block.line);
   Step step = maker.make(block, compensation);
   const bool ends = step.ends_program;
-  compensation.take(std::move(step));
+  compensation.put(std::move(step));
   report_made();
   // fanuc.program.end: M02 and M30 end the program after their block, and so does the end of the text.
   if (recorder.decide(Clause::fanuc_program_end, ends)) finish();

@@ -21,7 +21,6 @@ struct CornerBlock {
   bool plane_changed = false;             // of G17, G18, G19, against the block before
   bool arc_words = false;                 // an arc by its words
   std::optional<Rational> radius;         // of such an arc, where R gives it
-  bool is_block = true;                   // any word, N and O included
   bool changes_workpiece_system = false;  // G54–G59, G54.1, or another origin of one
   // The programmed position of every axis where the block starts, if the workpiece system changes in it.
   std::optional<Position> position;
@@ -33,8 +32,10 @@ struct CornerBlock {
     tool = way.tool_at(*position);
   }
 
-  // A word equal to the code in force before it.
-  [[nodiscard]] bool repeats_code() const { return code && *code != CutterSide::none && *code == before; }
+  // A word G40, a word of a side, and such a word equal to the code in force before it.
+  [[nodiscard]] bool says_cancel() const { return code == CutterSide::none; }
+  [[nodiscard]] bool says_side() const { return code && *code != CutterSide::none; }
+  [[nodiscard]] bool repeats_code() const { return says_side() && *code == before; }
 };
 
 }  // namespace toolcomp::model

@@ -106,7 +106,6 @@ std::shared_ptr<CutterBlock> CutterWords::read(const BlockWords& now) {
     const Rational radius = now.interpreter.numbers().length(*r);
     block.radius = radius < 0 ? Rational(-radius) : radius;
   }
-  block.is_block = command.is_block;
   block.changes_workpiece_system = codes.workpiece.has_value() || codes.writes_origin;
   return result;
 }

@@ -2,7 +2,7 @@
 // Cutter compensation C: G40, G41, G42 and G39. A pass over the blocks in order, each with those that follow it.
 //
 // A block is first planned: what it is to the mode (mode.h). Its moves are made as soon as the next block that moves in
-// the plane is known, or that there is none near enough. spec/formal/program/CutterC.v has the same functions.
+// the plane is known, or that there is none near enough. docs/formal.md says which functions of spec/formal they are.
 #include "model/fanuc/cutter_compensation_c/cutter_compensation_c.h"
 
 #include <utility>
@@ -54,17 +54,17 @@ class CutterCompensationC final : public CutterCompensation {
  public:
   explicit CutterCompensationC(const Place& place)
       : CutterCompensation(place),
-        limit_(blocks_read(place.setup) - 1),
+        idle_limit_(blocks_read(place.setup) - 1),
         rules_(place.setup, place.recorder),
         interference_{.checks = !place.setup.bit(5008, 0),
                       .by_parameters = true,
                       .keeps_vectors = place.setup.series == spec::Series::series_30i && place.setup.bit(5008, 3),
                       .no_alarm = place.setup.bit(5008, 1)},
         axes_(place.setup.axes),
-        at_once_(place.setup.bit(5003, 1)),
-        mode_(place.setup, place.recorder, limit_) {}
+        suv_(place.setup.bit(5003, 1)),
+        mode_(place.setup, place.recorder, idle_limit_) {}
 
-  [[nodiscard]] int look_ahead() const override { return limit_; }
+  [[nodiscard]] int look_ahead() const override { return idle_limit_; }
   [[nodiscard]] bool on() const override { return mode_.is_on_or_asked_for(); }
   // In the mode: it is then an arc without a sweep, and PS0038.
   [[nodiscard]] bool takes_arc_about_its_start(const Command& command) const override { return on_after(command); }
@@ -78,14 +78,17 @@ class CutterCompensationC final : public CutterCompensation {
   void end() override { window_.end(); }
   std::optional<Step> next() override {
     if (window_.empty()) return std::nullopt;
-    const Ahead ahead = looks_ahead(window_.front()) ? look() : Ahead{.kind = Ahead::Kind::none};
-    if (ahead.kind == Ahead::Kind::unknown) return std::nullopt;
-    Planned b = window_.pop();
-    recorder().at(b.step.line);
-    make_moves(b, ahead);
-    b.step.clauses.add(recorder().take_clauses());
-    tool_.place = b.step.rest;
-    return std::move(b.step);
+    Ahead ahead;
+    if (looks_ahead(window_.front())) {
+      ahead = look();
+      if (ahead.kind == Ahead::Kind::unknown) return std::nullopt;
+    }
+    Planned now = window_.pop();
+    recorder().at(now.step.line);
+    make_moves(now, ahead);
+    now.step.clauses.add(recorder().take_clauses());
+    tool_.place = now.step.rest;
+    return std::move(now.step);
   }
 
  private:
@@ -96,16 +99,17 @@ class CutterCompensationC final : public CutterCompensation {
   // What follows a block.
   struct Ahead {
     enum class Kind : std::uint8_t {
-      unknown,      // as far as the program has been read
+      unknown,      // as far as the program has been read, or not asked
       next,         // a block that makes a corner with it
-      none,         // no such block, by `why`
-      takes_vector  // G52 or G92 of the plane
+      none,         // no such block
+      too_far,      // no such block near enough: too many without motion come first
+      loses_vector  // G52 or G92 of the plane
     };
     Kind kind = Kind::unknown;
     const Planned* next = nullptr;
     bool repeated = false;  // G41 or G42 repeated in the next block, or in a block between
     bool between = false;   // blocks without motion come between
-    Clause why{};
+    Clause why{};           // none, too_far: to be recorded
   };
 
   [[nodiscard]] bool wanted(CutterSide side, std::uint32_t number) const override {
@@ -128,7 +132,6 @@ class CutterCompensationC final : public CutterCompensation {
   [[nodiscard]] const CutterBlock& block_of(const Planned& b) const { return *b.step.words.cutter; }
 
   void check_corner_arc(const CutterBlock& words) const {
-    const bool has_side_word = words.code && *words.code != CutterSide::none;
     const bool other_number = words.number_given && words.number != words.number_before;
     const bool no_direction = words.direction && is_zero(*words.direction);
     // fanuc.cutter-c.corner-arc-alarm: G39 raises PS0035 with G40 or number 0 in force, or after them while a vector
@@ -136,7 +139,7 @@ class CutterCompensationC final : public CutterCompensation {
     // a G41 or G42 of SUV = 1, and after G53, G28, G30, G30.1, G29, G52 or G92 of the plane. It raises PS0035 with G41,
     // G42, an axis word, or a word that gives the cutter another number in its block, and with letters of the plane
     // that are all 0.
-    if (!wanted(words) || !mode_.made_by_move() || has_side_word || words.axis_word || other_number || no_direction)
+    if (!wanted(words) || !mode_.made_by_move() || words.says_side() || words.axis_word || other_number || no_direction)
       raise(recorder(), Clause::fanuc_cutter_c_corner_arc_alarm, AlarmCause::corner_arc);
   }
 
@@ -148,12 +151,14 @@ class CutterCompensationC final : public CutterCompensation {
   // fanuc.cutter-c.one-non-motion-block: If the count between A and B is smaller than that of
   // fanuc.cutter-c.two-non-motion-blocks (so it is one, or on the 30i more, by No. 19625), the group is made as if the
   // blocks between were not there. The blocks between run at the first head, before the corner moves.
+  // fanuc.cutter-c.two-non-motion-blocks: As soon as the count after block A is two or more, A ends with P1. This holds
+  // for a start-up block too. The next moving block starts from that vector, so there is no corner.
+  // fanuc.cutter-c.look-ahead-stopped: Nothing is read beyond a block with G53, whatever its words, or with an M code
+  // that stops reading ahead (fanuc.program.stops-reading-ahead), before that block has run.
   // fanuc.cutter-c.no-next-block: If there is no B to make a corner with, block A, also a start-up block, ends with P1
   // as well. There is no B at the end of the program, before a block that raises an alarm when it is read or leaves the
   // run undecided, and before G39, G29 with axis words, G28, G30 or G30.1 with axis words (except in
   // fanuc.cutter-c.reference-intersection), a lone G40 and a lone number 0.
-  // fanuc.cutter-c.two-non-motion-blocks: As soon as the count after block A is two or more, A ends with P1. This holds
-  // for a start-up block too. The next moving block starts from that vector, so there is no corner.
   // fanuc.cutter-c.repeated: If block B, or a block between A and B, has a word G41 or G42 equal to the code in force
   // before it, the group is P1 of A, at inner and outer corners alike.
   [[nodiscard]] Ahead look() const {
@@ -168,54 +173,55 @@ class CutterCompensationC final : public CutterCompensation {
       const CutterBlock& block = block_of(b);
       repeated = repeated || block.repeats_code();
       if (makes_corner(b.plan.part)) return {Kind::next, &b, repeated, count > 0, {}};
+      // A reference return is a case of fanuc.cutter-c.no-next-block, whether reading stops there or not.
       if (stops_reading(block, b.step) && block.motion != PlaneMotion::reference)
         return {.kind = Kind::none, .why = Clause::fanuc_cutter_c_look_ahead_stopped};
-      if (b.plan.shifts) return {.kind = Kind::takes_vector};
+      if (b.plan.shifts) return {.kind = Kind::loses_vector};
       if (b.plan.part != CutterPart::idle && b.plan.part != CutterPart::lone_start)
         return {.kind = Kind::none, .why = Clause::fanuc_cutter_c_no_next_block};
-      count += b.plan.counts;
-      if (count >= limit_ || b.plan.part == CutterPart::lone_start)
-        return {.kind = Kind::none, .why = Clause::fanuc_cutter_c_two_non_motion_blocks};
+      count += b.plan.count;
+      if (count >= idle_limit_ || b.plan.part == CutterPart::lone_start)
+        return {.kind = Kind::too_far, .why = Clause::fanuc_cutter_c_two_non_motion_blocks};
     }
     return {.kind = window_.ended() ? Kind::none : Kind::unknown, .why = Clause::fanuc_cutter_c_no_next_block};
   }
 
   // The moves of a block, and where the tool stands after it.
-  void make_moves(Planned& b, const Ahead& ahead) {
-    if (b.plan.shifts) shift(b);
-    switch (b.plan.part) {
+  void make_moves(Planned& now, const Ahead& ahead) {
+    if (now.plan.shifts) shift(now);
+    switch (now.plan.part) {
       case CutterPart::free:
         break;
       case CutterPart::idle:
-        at_head(b.step, tool_.heads.front());
+        at_head(now.step, tool_.heads.front());
         break;
       case CutterPart::outside_axes:
         // fanuc.cutter-c.outside-axes-only: A block with G53, G28, G30, G30.1 or G29 that names only axes outside the
         // plane keeps the vector. The block before ends with P1, and the next moving block starts from that vector.
         recorder().reach(Clause::fanuc_cutter_c_outside_axes_only);
-        at_head(b.step, tool_.heads.front());
+        at_head(now.step, tool_.heads.front());
         break;
       case CutterPart::lone_start:
-        lone_start(b, ahead);
+        lone_start(now, ahead);
         break;
       case CutterPart::lone_cancel:
-        lone_cancel(b);
+        lone_cancel(now);
         break;
       case CutterPart::start_up:
       case CutterPart::moving:
-        mode_block(b, ahead);
+        mode_block(now, ahead);
         break;
       case CutterPart::cancel:
-      case CutterPart::cancel_at_its_end:
-        cancel(b);
+      case CutterPart::cancel_by_zero_travel:
+        cancel(now);
         break;
       case CutterPart::corner_arc:
-        corner_arc(b, ahead);
+        corner_arc(now, ahead);
         break;
-      case CutterPart::to_machine_position:
+      case CutterPart::vector_goes:
       case CutterPart::way_to_intermediate:
       case CutterPart::along_to_intermediate:
-        machine_move(b);
+        machine_move(now);
         break;
     }
   }
@@ -230,7 +236,7 @@ class CutterCompensationC final : public CutterCompensation {
       run.emplace(recorder(), path, in_plane(plane, tool_.heads.back()), in_plane(plane, at_end.front()));
     Checked checked;
     // fanuc.cutter-c.interference-check: No. 5008 bit 0, CNI, switches the interference check: 0 checks, 1 does not.
-    if (a.plan.part == CutterPart::moving && a.plan.checked && ahead.kind != Ahead::Kind::takes_vector &&
+    if (a.plan.part == CutterPart::moving && a.plan.to_check && ahead.kind != Ahead::Kind::loses_vector &&
         recorder().decide(Clause::fanuc_cutter_c_interference_check, interference_.checks))
       checked = check_interference(recorder(), interference_, between_vectors(recorder(), plane, path), tool_.heads,
                                    at_end, run ? &*run : nullptr);
@@ -239,7 +245,6 @@ class CutterCompensationC final : public CutterCompensation {
     // given; the block before it runs to the first head of its own group.
     if (checked.passage == Passage::blocked)
       raise_at(a, Clause::fanuc_cutter_c_interference_alarm, AlarmCause::interference, checked.crossing);
-    a.step.clauses.add(recorder().take_clauses());
     end_at(a.step.moves.front(), at_end.front(), run ? &*run : nullptr, checked.passage);
     if (a.plan.part == CutterPart::start_up) a.step.moves.front().leg.cause = spec::Cause::start_up;
     insert_corner_moves(a.step, block_of(a), tool_);
@@ -255,11 +260,11 @@ class CutterCompensationC final : public CutterCompensation {
     // holds also if A is a start-up block, and with or without a block without motion between. The mode stays on,
     // whatever CCN is. The next moving block, also an arc, runs from there to its ordinary group, without a corner and
     // without a change of direction before it.
-    if (ahead.kind == Ahead::Kind::takes_vector) {
+    if (ahead.kind == Ahead::Kind::loses_vector) {
       recorder().decide(Clause::fanuc_cutter_c_coordinate_shift, true);
       return {SpaceVector{}};
     }
-    if (ahead.kind == Ahead::Kind::none) {
+    if (ahead.kind != Ahead::Kind::next) {
       recorder().reach(ahead.why);
       return in_space(plane, rules_.square_to(a.plan.path.end));
     }
@@ -269,7 +274,7 @@ class CutterCompensationC final : public CutterCompensation {
 
   [[nodiscard]] VectorGroup corner_group(const Planned& a, const Planned& b, bool repeated) {
     const CutterBlock& next = block_of(b);
-    const bool directed = next.code == CutterSide::none && next.direction && !is_zero(*next.direction);
+    const bool directed = next.says_cancel() && next.direction && !is_zero(*next.direction);
     const CutterCorner corner{.former = a.plan.path.end,
                               .latter = b.plan.path,
                               .starts = a.plan.part == CutterPart::start_up,
@@ -290,8 +295,8 @@ class CutterCompensationC final : public CutterCompensation {
   }
 
   // The vector made or removed in a block without motion.
-  void at_once(Planned& b, spec::Cause cause) {
-    const CutterBlock& block = block_of(b);
+  void at_once(Planned& now, spec::Cause cause) {
+    const CutterBlock& block = block_of(now);
     // The words of an ignored G53 are none.
     const bool ignored = block.one_shot == OneShot::machine_coordinates && block.motion == PlaneMotion::none;
     // fanuc.cutter-c.start-without-motion-move: If a block without motion in the plane makes or removes the vector and
@@ -300,11 +305,11 @@ class CutterCompensationC final : public CutterCompensation {
     recorder().decide(Clause::fanuc_cutter_c_start_without_motion_move, block.axis_word && !ignored);
     // Beside G52 and G92 the only move there can be is that of the length offset (clause
     // fanuc.cutter-c.workpiece-change).
-    if (b.plan.changes && is_shift(block.one_shot)) b.step.moves.clear();
-    change_alone(b.step, cause, b.plan.changes);
+    if (now.plan.changes && is_shift(block.one_shot)) now.step.moves.clear();
+    change_alone(now.step, cause, now.plan.changes);
   }
 
-  void lone_start(Planned& b, const Ahead& ahead) {
+  void lone_start(Planned& now, const Ahead& ahead) {
     // fanuc.cutter-c.start-without-motion: If SUV = 1, the mode is off, and a block that does not move in the plane has
     // the word G41 or G42 and a number other than 0 in force at its end, the tool moves by P2 of the next moving block
     // B. P2 has the value in force at the end of the G41 or G42 block; the cause is start-up.
@@ -315,55 +320,57 @@ class CutterCompensationC final : public CutterCompensation {
     // longer asked for, also the cancel block.
     if (ahead.kind == Ahead::Kind::next) {
       recorder().reach(Clause::fanuc_cutter_c_start_without_motion);
-      at_once(b, spec::Cause::start_up);
-      tool_.heads = in_space(block_of(b).plane, {square_to_latter(ahead.next->plan.path.start)});
+      at_once(now, spec::Cause::start_up);
+      tool_.heads = in_space(block_of(now).plane, {square_to_latter(ahead.next->plan.path.start)});
     } else {
       recorder().reach(Clause::fanuc_cutter_c_start_without_next_block);
     }
-    at_head(b.step, tool_.heads.front());
+    at_head(now.step, tool_.heads.front());
   }
 
   // G40 or number 0.
-  void cancel(Planned& b) {
+  void cancel(Planned& now) {
     // fanuc.cutter-c.cancel: The first moving block with G40 or number 0 in force while the mode is on is the cancel
     // block. The tool goes straight from the last head of the group at its start to its programmed end; the cause is
     // cancel.
     // fanuc.cutter-c.cancel-by-zero-travel: After a lone G40 or number 0 with SUV = 0, a block with an axis word of the
     // plane but no travel there is a move command, and it is the cancel block. The vector is removed, and the tool ends
     // at the programmed point; the cause is cancel.
-    recorder().reach(b.plan.part == CutterPart::cancel ? Clause::fanuc_cutter_c_cancel
-                                                       : Clause::fanuc_cutter_c_cancel_by_zero_travel);
-    insert_corner_moves(b.step, block_of(b), tool_);
-    b.step.moves.back().leg.cause = spec::Cause::cancel;
+    recorder().reach(now.plan.part == CutterPart::cancel ? Clause::fanuc_cutter_c_cancel
+                                                         : Clause::fanuc_cutter_c_cancel_by_zero_travel);
+    Move& own = now.step.moves.front();
+    own.offset = {};
+    own.leg.cause = spec::Cause::cancel;
+    insert_corner_moves(now.step, block_of(now), tool_);
     tool_.stand({});
   }
 
-  void lone_cancel(Planned& b) {
+  void lone_cancel(Planned& now) {
     // fanuc.cutter-c.cancel-without-motion: A G40 or number 0 in a block that does not move in the plane while the mode
     // is on is called lone; its I, J and K mean nothing. Block A ends with P1.
     recorder().reach(Clause::fanuc_cutter_c_cancel_without_motion);
     // fanuc.cutter-c.suv: With No. 5003 bit 1, SUV, at 1 (type C), a G41 or G42 that starts the mode, and a G40 or
     // number 0 that ends it, act at once in a block that does not move in the plane. With SUV = 0 such a block makes
     // and removes nothing.
-    const bool removes = recorder().decide(Clause::fanuc_cutter_c_suv, at_once_);
-    if (removes) at_once(b, spec::Cause::cancel);
-    if (removes || !b.plan.changes) tool_.stand({});
-    at_head(b.step, tool_.heads.front());
+    const bool removes = recorder().decide(Clause::fanuc_cutter_c_suv, suv_);
+    if (removes) at_once(now, spec::Cause::cancel);
+    if (removes || !now.plan.changes) tool_.stand({});
+    at_head(now.step, tool_.heads.front());
   }
 
   // G39: an arc about the corner.
-  void corner_arc(Planned& b, const Ahead& ahead) {
-    const auto& direction = block_of(b).direction;
+  void corner_arc(Planned& now, const Ahead& ahead) {
+    const auto& direction = block_of(now).direction;
     // fanuc.cutter-c.corner-arc-direction: The direction u of G39 is that of the letters of the plane among I J K. A
     // missing letter is 0, and the letter outside the plane means nothing. Without letters of the plane, u is the start
     // tangent of the next moving block. That block may also be the cancel block (its own line, whatever its I J K) or,
     // with CCN = 1, the way to the intermediate point.
     if (recorder().decide(Clause::fanuc_cutter_c_corner_arc_direction, direction.has_value())) {
-      turn(b, heading(*direction), false);
+      turn(now, heading(*direction), false);
     } else if (ahead.kind == Ahead::Kind::next) {
-      turn(b, ahead.next->plan.path.start.heading, ahead.next->plan.offset.side == b.plan.offset.side);
+      turn(now, ahead.next->plan.path.start.heading, ahead.next->plan.offset.side == now.plan.offset.side);
     } else {
-      const bool too_far = ahead.why == Clause::fanuc_cutter_c_two_non_motion_blocks;
+      const bool too_far = ahead.kind == Ahead::Kind::too_far;
       // fanuc.cutter-c.corner-arc-without-next-block: If a case of fanuc.cutter-c.no-next-block comes before the next
       // moving block, a G39 without letters makes no arc and keeps the vector. If a count of
       // fanuc.cutter-c.two-non-motion-blocks comes after the G39, the run is undecided at the G39 block, and the blocks
@@ -372,17 +379,17 @@ class CutterCompensationC final : public CutterCompensation {
         window_.clear();
         LeftOpen open(Clause::fanuc_cutter_c_corner_arc_without_next_block,
                       "two blocks without motion after a G39 without direction");
-        open.line = b.step.line;
-        open.n = b.step.n;
+        open.line = now.step.line;
+        open.n = now.step.n;
         throw LeftOpen(open);
       }
     }
-    at_head(b.step, tool_.heads.front());
+    at_head(now.step, tool_.heads.front());
   }
 
   // From the vector in force, which is square to its heading, to the one square to another.
-  void turn(Planned& b, const Heading& to, bool next_is_square) {
-    const Rational offset = b.plan.offset.left();
+  void turn(Planned& now, const Heading& to, bool next_is_square) {
+    const Rational offset = now.plan.offset.left();
     // fanuc.cutter-c.value-zero: If r = 0, the group is the zero vector alone, whatever the corner and No. 5010. There
     // are then no corner moves, not even before an arc of 180 degrees or more. A start-up and a cancel with r = 0 keep
     // their causes.
@@ -398,10 +405,10 @@ class CutterCompensationC final : public CutterCompensation {
     // about the corner from the vector V in force to V' = rho N(u). r and side are those of the moving block before,
     // whatever has changed since.
     const Sign side = recorder().decide(Clause::fanuc_cutter_c_corner_arc, sine, here_.length * to.length);
-    const CutterBlock& block = block_of(b);
+    const CutterBlock& block = block_of(now);
     if (side != Sign::zero || cosine.sign() != Sign::positive) {
-      if (b.step.moves.empty()) b.step.moves.push_back(b.step.rest);
-      Leg& leg = b.step.moves.front().leg;
+      if (now.step.moves.empty()) now.step.moves.push_back(now.step.rest);
+      Leg& leg = now.step.moves.front().leg;
       leg.type = spec::MoveType::arc;
       leg.cause = spec::Cause::corner;
       spec::Arc<Real>& path = leg.arc.emplace();
@@ -420,26 +427,26 @@ class CutterCompensationC final : public CutterCompensation {
   }
 
   // G52 or G92 of the plane: there is no vector from here on.
-  void shift(const Planned& b) {
-    if (!b.plan.after_leg) recorder().decide(Clause::fanuc_cutter_c_coordinate_shift, false);
+  void shift(const Planned& now) {
+    if (!now.plan.after_leg) recorder().decide(Clause::fanuc_cutter_c_coordinate_shift, false);
     tool_.stand({});
   }
 
   // G53, G28, G30, G30.1 and G29 of the plane: the vector goes in the first move, or after the intermediate point.
-  void machine_move(Planned& b) {
-    const CutterBlock& block = block_of(b);
+  void machine_move(Planned& now) {
+    const CutterBlock& block = block_of(now);
     const bool reference = block.motion == PlaneMotion::reference;
-    std::vector<Move>& moves = b.step.moves;
-    if (b.plan.part == CutterPart::to_machine_position) {
+    std::vector<Move>& moves = now.step.moves;
+    if (now.plan.part == CutterPart::vector_goes) {
       // fanuc.cutter-c.reference-return: If CCN = 0, if G40 or number 0 is in force, or after a lone G40, the block
       // before a G28, G30 or G30.1 of the plane ends with P1, and the vector is removed on the way to the intermediate
       // point.
       // fanuc.cutter-c.machine-position: With G53 and an axis word of the plane under G90 while the mode is on, the
       // vector vanishes in the G53 move (cause programmed). With G29 it vanishes likewise, at the intermediate point.
       recorder().reach(reference ? Clause::fanuc_cutter_c_reference_return : Clause::fanuc_cutter_c_machine_position);
-    } else if (b.plan.part == CutterPart::way_to_intermediate) {
-      moves.front().offset = in_space(block.plane, perpendicular(b.plan.path.end));
-      insert_corner_moves(b.step, block, tool_);
+    } else if (now.plan.part == CutterPart::way_to_intermediate) {
+      moves.front().offset = in_space(block.plane, perpendicular(now.plan.path.end));
+      insert_corner_moves(now.step, block, tool_);
     } else {
       moves.front().offset = tool_.heads.front().vector;
     }
@@ -450,18 +457,18 @@ class CutterCompensationC final : public CutterCompensation {
   }
 
   // The alarm names this block, and nothing of it is given.
-  [[noreturn]] void raise_at(const Planned& b, Clause clause, AlarmCause cause, const Real& crossing) {
+  [[noreturn]] void raise_at(const Planned& now, Clause clause, AlarmCause cause, const Real& crossing) {
     recorder().reach(clause);
-    const Alarm alarm = geometry_alarm(b.step, axes_, cause, crossing);
+    const Alarm alarm = geometry_alarm(now.step, axes_, cause, crossing);
     window_.clear();
     throw Alarm(alarm);
   }
 
-  int limit_;
+  int idle_limit_;
   CutterRules rules_;
   InterferenceRules interference_;
   spec::Axes axes_;
-  bool at_once_;  // 5003#1, SUV
+  bool suv_;  // 5003#1
 
   CutterMode mode_;
   Window<Planned> window_;

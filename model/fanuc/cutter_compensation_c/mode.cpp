@@ -14,9 +14,6 @@ bool is_machine_move(PlaneMotion motion) {
 // G52 or G92 of the plane.
 bool shifts_plane(const CutterBlock& block) { return is_shift(block.one_shot) && block.has_plane_word(); }
 
-// A word G41 or G42.
-bool has_side_word(const CutterBlock& block) { return block.code && *block.code != CutterSide::none; }
-
 // The path of a moving block: at its start with the distance in force before it, each on the block's own side.
 OffsetPath path_of(const CutterBlock& block, const CutterOffset& own, const Rational& distance_before) {
   const Rational at_start = own.side * distance_before;
@@ -32,8 +29,8 @@ OffsetPath path_of(const CutterBlock& block, const CutterOffset& own, const Rati
 
 }  // namespace
 
-CutterMode::CutterMode(const spec::Setup& setup, Recorder& recorder, int limit)
-    : recorder_(recorder), limit_(limit), at_once_(setup.bit(5003, 1)), keeps_the_mode_(setup.bit(5003, 2)) {}
+CutterMode::CutterMode(const spec::Setup& setup, Recorder& recorder, int idle_limit)
+    : recorder_(recorder), idle_limit_(idle_limit), suv_(setup.bit(5003, 1)), ccn_(setup.bit(5003, 2)) {}
 
 CutterPlan CutterMode::next(const CutterBlock& block, const Step& step) {
   const bool in_force = block.side != CutterSide::none;
@@ -79,8 +76,8 @@ CutterPlan CutterMode::while_off(const CutterBlock& block, bool asked, bool move
   // 0 that ends it, act at once in a block that does not move in the plane. With SUV = 0 such a block makes and removes
   // nothing.
   const bool starts = asked && moves;
-  const bool starts_alone = asked && !moves && has_side_word(block) && !is_machine_move(block.motion) &&
-                            recorder_.decide(Clause::fanuc_cutter_c_suv, at_once_);
+  const bool starts_alone = asked && !moves && block.says_side() && !is_machine_move(block.motion) &&
+                            recorder_.decide(Clause::fanuc_cutter_c_suv, suv_);
   if (!starts && !starts_alone) return of_part(CutterPart::free);
   // fanuc.cutter-c.start-up: If G41 or G42 and a number other than 0 are in force and the mode is off, the next block
   // that moves in the plane is the start-up block, whether it has the code or not (except in
@@ -132,7 +129,7 @@ CutterPlan CutterMode::moving(const CutterBlock& block) {
   CutterPlan plan = of_part(CutterPart::moving);
   plan.path = path_of(block, offset, last_.distance);
   plan.offset = last_ = offset;
-  plan.checked = !std::exchange(unchecked_, false);
+  plan.to_check = !std::exchange(unchecked_, false);
   phase_ = Phase::running;
   waiting_ = Waiting{true, 0};
   return plan;
@@ -160,13 +157,12 @@ CutterPlan CutterMode::without_motion(const CutterBlock& block) {
   if (!waiting_) return plan;
   // fanuc.cutter-c.non-motion-count: Between two moving blocks, every block that does not move in the plane counts one:
   // M, S, T, F, G04, G10, other G codes, axes outside the plane, D or H alone, O alone, G41 or G42 alone.
-  if (block.is_block)
-    plan.counts = recorder_.decide(Clause::fanuc_cutter_c_non_motion_count, block.motion == PlaneMotion::zero_travel)
-                      ? limit_
-                      : 1;
-  waiting_->count += plan.counts;
-  if (waiting_->count < limit_) return plan;
-  const bool restarts = is_pending() && has_side_word(block);
+  plan.count = recorder_.decide(Clause::fanuc_cutter_c_non_motion_count, block.motion == PlaneMotion::zero_travel)
+                   ? idle_limit_
+                   : 1;
+  waiting_->count += plan.count;
+  if (waiting_->count < idle_limit_) return plan;
+  const bool restarts = is_pending() && block.says_side();
   nothing_follows();
   // The look-ahead ends here without a moving block; the code has one of its own.
   return restarts ? while_off(block, true, false) : plan;
@@ -174,7 +170,7 @@ CutterPlan CutterMode::without_motion(const CutterBlock& block) {
 
 CutterPlan CutterMode::cancel(const CutterBlock& block) {
   const bool moves = block.motion != PlaneMotion::zero_travel;
-  CutterPlan plan = of_part(moves ? CutterPart::cancel : CutterPart::cancel_at_its_end);
+  CutterPlan plan = of_part(moves ? CutterPart::cancel : CutterPart::cancel_by_zero_travel);
   if (moves) plan.path = line_path(block.end - block.start, last_.left(), last_.left());
   turn_off(false);
   return plan;
@@ -185,7 +181,7 @@ CutterPlan CutterMode::lone_cancel() {
   CutterPlan plan = of_part(CutterPart::lone_cancel);
   plan.changes = phase_ != Phase::taken_away && last_.distance != 0;
   turn_off(false);
-  if (!at_once_ && plan.changes) phase_ = Phase::ending;
+  if (!suv_ && plan.changes) phase_ = Phase::ending;
   return plan;
 }
 
@@ -225,9 +221,9 @@ CutterPlan CutterMode::machine_move(const CutterBlock& block, bool asked) {
   }
   // fanuc.cutter-c.ccn: No. 5003 bit 2, CCN, says whether the mode stays on after G53, G28, G30, G30.1 or G29 of the
   // plane. With CCN = 0 the mode is off, and the next moving block is a start-up block.
-  const bool goes_on = asked && recorder_.decide(Clause::fanuc_cutter_c_ccn, keeps_the_mode_);
+  const bool goes_on = asked && recorder_.decide(Clause::fanuc_cutter_c_ccn, ccn_);
   const bool reference = block.motion == PlaneMotion::reference;
-  CutterPlan plan = of_part(CutterPart::to_machine_position);
+  CutterPlan plan = of_part(CutterPart::vector_goes);
   if (reference && goes_on) plan = reference_with_intersection(block);
   if (goes_on)
     go_on_without_vector();

@@ -21,22 +21,22 @@ enum class CutterPart : std::uint8_t {
   lone_start,  // G41 or G42 of SUV = 1 that does not move in the plane: makes the vector if a block of the mode follows
   lone_cancel,
   start_up,
-  moving,                // * of the mode
-  cancel,                // *
-  cancel_at_its_end,     // after a lone cancel, an axis word of the plane without travel
-  corner_arc,            // G39
-  outside_axes,          // G53, G28, G30, G30.1 or G29 of axes outside the plane alone
-  to_machine_position,   // the same in the plane: the vector vanishes in the first move
-  way_to_intermediate,   // * a reference return: its first move is a block of the mode
-  along_to_intermediate  // the same without travel in the plane: the vector goes after that move
+  moving,                 // * of the mode
+  cancel,                 // *
+  cancel_by_zero_travel,  // after a lone cancel, an axis word of the plane without travel
+  corner_arc,             // G39
+  outside_axes,           // G53, G28, G30, G30.1 or G29 of axes outside the plane alone
+  vector_goes,            // the same in the plane: the vector vanishes in the first move
+  way_to_intermediate,    // * a reference return: its first move is a block of the mode
+  along_to_intermediate   // the same without travel in the plane: the vector goes after that move
 };
 
 struct CutterPlan {
   CutterPart part = CutterPart::free;
   CutterOffset offset;     // at its end: of the last block that moved
   OffsetPath path;         // of a start-up block, and of those with *
-  int counts = 0;          // idle: as how many blocks without motion
-  bool checked = true;     // for interference
+  int count = 0;           // idle: as how many blocks without motion
+  bool to_check = true;    // for interference
   bool changes = false;    // lone_start, lone_cancel: the vector that is made or removed is not 0
   bool shifts = false;     // G52 or G92 of the plane takes the vector away before
   bool after_leg = false;  // shifts: a moving block waits for its corner
@@ -45,7 +45,7 @@ struct CutterPlan {
 // Follows the mode through the program. Clauses: fanuc.cutter-c.*.
 class CutterMode {
  public:
-  CutterMode(const spec::Setup& setup, Recorder& recorder, int limit);
+  CutterMode(const spec::Setup& setup, Recorder& recorder, int idle_limit);
 
   // The next block. Throws Alarm PS0038 or DIR_CHANGE_AT_STARTUP, or LeftOpen.
   CutterPlan next(const CutterBlock& block, const Step& step);
@@ -67,7 +67,8 @@ class CutterMode {
     taken_away,  // the mode goes on without a vector: after G52, G92, G53 or a reference return
     ending       // after a lone cancel the vector waits for its removal
   };
-  // The block that waits for the next one that moves.
+  // The block that waits for the next one that moves. It counts as CutterCompensationC::look does: the words of a block
+  // are read before the block that waits is made.
   struct Waiting {
     bool moves = false;  // it ends at a corner
     int count = 0;       // of the blocks without motion after it
@@ -93,9 +94,9 @@ class CutterMode {
   void nothing_follows();
 
   Recorder& recorder_;
-  int limit_;
-  bool at_once_;         // 5003#1, SUV
-  bool keeps_the_mode_;  // 5003#2, CCN
+  int idle_limit_;
+  bool suv_;  // 5003#1
+  bool ccn_;  // 5003#2: the mode goes on after a machine move
 
   Phase phase_ = Phase::off;
   bool asked_ = false;  // by the last block: a side and a number other than 0 in force

@@ -28,13 +28,15 @@ std::optional<VectorGroup> CutterRules::by_first_rule(const CutterCorner& corner
     recorder().reach(Clause::fanuc_cutter_c_repeated);
     return square_to(former);
   }
-  if (!corner.cancels) return corner.starts ? start_up(former, latter) : offset_mode(former, latter);
-  // fanuc.cutter-c.cancel-direction: In a cancel block with the word G40, the letters of the plane among I J K give a
-  // direction (I J in G17, K I in G18, J K in G19; a missing letter is 0). A line from A's end in that direction is
-  // offset to A's side. The group is the intersection of A's offset path with that offset line, at inner and outer
-  // corners alike. The letter outside the plane, and letters without the word G40, mean nothing.
-  const bool directed = recorder().decide(Clause::fanuc_cutter_c_cancel_direction, corner.direction.has_value());
-  return directed ? cancel_along(former, *corner.direction) : cancel(former, latter);
+  if (corner.cancels) {
+    // fanuc.cutter-c.cancel-direction: In a cancel block with the word G40, the letters of the plane among I J K give a
+    // direction (I J in G17, K I in G18, J K in G19; a missing letter is 0). A line from A's end in that direction is
+    // offset to A's side. The group is the intersection of A's offset path with that offset line, at inner and outer
+    // corners alike. The letter outside the plane, and letters without the word G40, mean nothing.
+    const bool directed = recorder().decide(Clause::fanuc_cutter_c_cancel_direction, corner.direction.has_value());
+    return directed ? cancel_along(former, *corner.direction) : cancel(former, latter);
+  }
+  return corner.starts ? start_up(former, latter) : offset_mode(former, latter);
 }
 
 // fanuc.cutter-c.corner-movement: Block A ends at the first head of the group, and the straight moves between the heads
@@ -55,7 +57,7 @@ std::optional<VectorGroup> CutterRules::group(const CutterCorner& corner) const 
 CutterRules::CutterRules(const spec::Setup& setup, Recorder& recorder)
     : CornerRules(recorder),
       type_b_(setup.bit(5003, 0)),
-      limit_(setup.parameter(5010) ? plain(*setup.parameter(5010)) : Rational(0)) {}
+      smallest_move_(setup.parameter(5010) ? plain(*setup.parameter(5010)) : Rational(0)) {}
 
 // fanuc.cutter-c.start-up-type: No. 5003 bit 0, SUP, chooses the type of start-up and cancel in blocks that move in the
 // plane, whatever SUV is: 0 is type A, 1 is type B.
@@ -129,7 +131,7 @@ void CutterRules::drop_small_movements(VectorGroup& group, const OffsetPath& lat
     const Heading& to = latter.end.heading;
     if (!is_under_half_circle({from.along, to.along, latter.start.turn, {}, true}, from.length * to.length)) return;
   }
-  if (limit_ < 0) return;
+  if (smallest_move_ < 0) return;
   VectorGroup kept{group.front()};
   for (std::size_t i = 1; i < group.size(); ++i)
     if (!is_small(group[i].vector - kept.back().vector, latter.start.offset)) kept.push_back(group[i]);
@@ -145,12 +147,13 @@ void CutterRules::drop_small_movements(VectorGroup& group, const OffsetPath& lat
 // told apart no better than each of them is known. A head of a group is at most the diagonal of the square of the
 // offset long.
 bool CutterRules::is_small(const PlanePoint& movement, const Rational& offset) const {
-  const Rational scale = limit_ + 4 * abs(offset);
+  const Rational scale = smallest_move_ + 4 * abs(offset);
   const auto within = [&](const Real& margin) {
     return recorder().decide(Clause::fanuc_cutter_c_small_corner_movement, margin, scale) != Sign::negative;
   };
-  return std::ranges::all_of(
-      movement, [&](const Real& component) { return within(limit_ - component) && within(limit_ + component); });
+  return std::ranges::all_of(movement, [&](const Real& component) {
+    return within(smallest_move_ - component) && within(smallest_move_ + component);
+  });
 }
 
 }  // namespace toolcomp::model

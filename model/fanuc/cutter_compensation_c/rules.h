@@ -42,8 +42,8 @@ class CutterRules : public CornerRules {
   // `movement`: from head to head of a group made with this offset.
   [[nodiscard]] bool is_small(const PlanePoint& movement, const Rational& offset) const;
 
-  bool type_b_;     // 5003#0, SUP
-  Rational limit_;  // 5010, setup units
+  bool type_b_;             // 5003#0, SUP
+  Rational smallest_move_;  // 5010, setup units
 };
 
 }  // namespace toolcomp::model

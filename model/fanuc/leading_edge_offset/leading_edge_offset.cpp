@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "model/basis/alarm.h"
-#include "model/fanuc/leading_edge_offset/rules.h"
 #include "model/basis/window.h"
+#include "model/fanuc/leading_edge_offset/rules.h"
 #include "model/fanuc/program/pass.h"
 
 namespace toolcomp::model {

@@ -36,8 +36,8 @@ class Passes {
   void read(Extent extent, const BlockWords& now, StepWords& words);
   void see(const BlockWay& way, StepWords& words) const;
 
-  // The next block of the program.
-  void take(Step step) { made_ = std::move(step); }
+  // The next block of the program. It is planned when next() asks for it, so an alarm of planning comes from there.
+  void put(Step step) { made_ = std::move(step); }
   // No block follows.
   void end() { ended_ = true; }
   // The next step that has gone through all passes; nothing as long as one of them waits for other blocks.

@@ -72,7 +72,6 @@ Command Interpreter::read(const spec::Block& block) {
   if (codes.motion) motion_ = *codes.motion;
   if (codes.plane) plane_ = *codes.plane;
   if (codes.incremental) incremental_ = *codes.incremental;
-  command.is_block = block.size != 0 || block.n;
   command.motion = motion_;
   command.plane = plane_;
   command.incremental = incremental_;

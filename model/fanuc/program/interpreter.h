@@ -38,7 +38,6 @@ struct Command {
   bool incremental = false;
   AxisMask axes = 0;       // axes commanded; none where the letters mean something else (G04, G10)
   bool direction = false;  // I, J or K
-  bool is_block = true;    // any word, N and O included
   CycleBlock cycle = {};   // in the drilling mode the block names no axis: the words are those of a hole
   [[nodiscard]] bool is_arc_motion() const { return motion == Motion::arc_cw || motion == Motion::arc_ccw; }
   // An axis word stands in the block, and is no data of a code; no other way to ask for one is right.

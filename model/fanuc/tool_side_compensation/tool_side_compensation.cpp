@@ -76,7 +76,7 @@ class ToolSideCompensation final : public Pass {
   }
   void take(Step step) override {
     SidePlan plan;
-    if (step.words.side && step.words.side->is_block) {
+    if (step.words.side) {
       if (step.stops_look_ahead) make_without_next(step.line);
       plan = mode_.next(*step.words.side, step);
     }
@@ -206,7 +206,6 @@ class ToolSideCompensation final : public Pass {
     int count = 0;
     for (std::size_t i = 0; i < window_.following(); ++i) {
       const Planned& b = window_.after(i);
-      if (!b.step.words.side->is_block) continue;
       repeated = repeated || b.step.words.side->repeats_code();
       if (const SideEnd* const start = b.plan.start_at(number)) return {Kind::next, &b, start, repeated, count > 0, {}};
       const bool must_follow = window_.front().plan.part == SidePart::lone_start;
