@@ -78,6 +78,8 @@ class LeadingEdgeOffset : public Pass {
   }
 
   void take(Step step) override {
+    // A block with N or O alone is no block and makes nothing. It is not kept while another waits.
+    if (!step.has_word && !window_.empty()) return;
     Planned b{std::move(step)};
     if (b.step.words.edge) {
       b.code = b.step.words.edge->code;
@@ -98,9 +100,11 @@ class LeadingEdgeOffset : public Pass {
   std::optional<Step> next() override {
     if (window_.empty()) return std::nullopt;
     const Planned& front = window_.front();
-    const bool looks_ahead = front.code == EdgeBlock::Code::start || front.travels;
-    const Coming coming = looks_ahead ? what_comes() : Coming{Coming::Kind::none};
-    if (coming.kind == Coming::Kind::unknown) return std::nullopt;
+    Coming coming;
+    if (front.code == EdgeBlock::Code::start || front.travels) {
+      coming = what_comes();
+      if (coming.kind == Coming::Kind::unknown) return std::nullopt;
+    }
     Planned b = window_.pop();
     recorder().at(b.step.line);
     make_moves(b, coming);
@@ -116,7 +120,7 @@ class LeadingEdgeOffset : public Pass {
   // What follows a block that makes a vector.
   struct Coming {
     enum class Kind : std::uint8_t {
-      unknown,  // as far as the program has been read
+      unknown,  // as far as the program has been read, or not asked
       moves,    // a block with a linear movement
       cancels,  // the block that cancels the mode
       none      // neither, by `why`
@@ -160,8 +164,6 @@ class LeadingEdgeOffset : public Pass {
     int still = 0;
     for (std::size_t i = 0; i < window_.following(); ++i) {
       const Planned& b = window_.after(i);
-      // A block with N or O alone is no block.
-      if (!b.step.has_word) continue;
       if (b.travels) return {Kind::moves, &b, i > 0, {}};
       if (starts) return {Kind::none};
       if (b.step.stops_look_ahead)

@@ -102,7 +102,7 @@ class ToolSideCompensation final : public Pass {
   // What follows a block that makes a vector.
   struct Ahead {
     enum class Kind : std::uint8_t {
-      unknown,  // as far as the program has been read
+      unknown,  // as far as the program has been read, or not asked
       next,     // a block that makes a corner with it
       none      // no such block, by `why`
     };
@@ -172,8 +172,11 @@ class ToolSideCompensation final : public Pass {
   // The first block that waits, if what it needs is known.
   bool make_next() {
     if (window_.empty()) return false;
-    const Ahead ahead = window_.front().plan.number > 0 ? look() : Ahead{.kind = Ahead::Kind::none};
-    if (ahead.kind == Ahead::Kind::unknown) return false;
+    Ahead ahead;
+    if (window_.front().plan.number > 0) {
+      ahead = look();
+      if (ahead.kind == Ahead::Kind::unknown) return false;
+    }
     Planned b = window_.pop();
     recorder().at(b.step.line);
     make_moves(b, ahead);
