@@ -145,13 +145,13 @@ int fuzz(const FuzzOptions& options) {
       fuzzing::Found copied = fuzzing::copy_out(end.found, findings);
       if (temporary) end.found = std::move(copied);
     }
-    const fuzzing::Verdict verdict = fuzzing::verdict_of(campaign, end);
-    const std::string text = fuzzing::summary_text(campaign, end, verdict);
+    const fuzzing::CampaignResult result = fuzzing::campaign_result(campaign, end);
+    const std::string text = fuzzing::summary_text(campaign, end, result);
     if (!stop.why().empty()) std::cerr << stop.why() << '\n';
     if (options.json) std::cerr << text << std::flush;
-    std::cout << (options.json ? fuzzing::summary_json(campaign, end, verdict) : text) << std::flush;
+    std::cout << (options.json ? fuzzing::summary_json(campaign, end, result) : text) << std::flush;
     if (temporary && end.waiting > 0) std::cerr << goes_on << ", with the findings that were not examined\n";
-    return verdict.status;
+    return result.status;
   } catch (const spec::InputError&) {
     throw;
   } catch (const std::runtime_error& error) {

@@ -162,28 +162,28 @@ constexpr const char* kNoScore =
 
 }  // namespace
 
-Verdict verdict_of(const CampaignOptions& options, const CampaignEnd& end) {
-  Verdict verdict;
+CampaignResult campaign_result(const CampaignOptions& options, const CampaignEnd& end) {
+  CampaignResult result;
   for (const fuzz::Target* target : options.targets) {
     const auto known = end.state.targets.find(target->name);
     const fuzz::Counters sum = known == end.state.targets.end() ? fuzz::Counters{} : known->second.sum;
     for (const std::string& words : fuzz::shortfalls(*target, sum))
-      verdict.shortfalls.push_back(target->name + ": " + words);
+      result.shortfalls.push_back(target->name + ": " + words);
   }
-  if (end.waiting > 0) verdict.shortfalls.push_back(fmt::format("{} sightings were not examined", end.waiting));
+  if (end.waiting > 0) result.shortfalls.push_back(fmt::format("{} sightings were not examined", end.waiting));
   if (!end.found.findings.empty()) {
-    verdict.status = 1;
-    verdict.words = findings_text(end.found.findings.size(), end.found.ways.size());
-  } else if (!verdict.shortfalls.empty()) {
-    verdict.status = 3;
-    verdict.words = "no finding, but the search was too short to count as a pass";
+    result.status = 1;
+    result.words = findings_text(end.found.findings.size(), end.found.ways.size());
+  } else if (!result.shortfalls.empty()) {
+    result.status = 3;
+    result.words = "no finding, but the search was too short to count as a pass";
   } else {
-    verdict.words = "no finding";
+    result.words = "no finding";
   }
-  return verdict;
+  return result;
 }
 
-std::string summary_text(const CampaignOptions& options, const CampaignEnd& end, const Verdict& verdict) {
+std::string summary_text(const CampaignOptions& options, const CampaignEnd& end, const CampaignResult& result) {
   const State& state = end.state;
   std::string text = heading(options, end);
   BoardView view = view_of(state, options.targets);
@@ -205,16 +205,16 @@ std::string summary_text(const CampaignOptions& options, const CampaignEnd& end,
   for (const auto& [how, count] : state.ends) text += fmt::format("workers that ended by {}: {}\n", how, count);
   for (const Family& finding : end.found.findings) text += text_of(finding, end);
   for (const Shown& open : end.found.open) text += "NOT DECIDED " + text_of(open);
-  for (const std::string& words : verdict.shortfalls) text += "below its floor: " + words + "\n";
-  return text + verdict.words + "\n";
+  for (const std::string& words : result.shortfalls) text += "below its floor: " + words + "\n";
+  return text + result.words + "\n";
 }
 
-std::string summary_json(const CampaignOptions& options, const CampaignEnd& end, const Verdict& verdict) {
+std::string summary_json(const CampaignOptions& options, const CampaignEnd& end, const CampaignResult& result) {
   const State& state = end.state;
   Json json{{"campaign", options.temporary ? Json() : Json(options.folder.string())},
-            {"status", verdict.status},
-            {"verdict", verdict.words},
-            {"below_floor", verdict.shortfalls},
+            {"status", result.status},
+            {"verdict", result.words},
+            {"below_floor", result.shortfalls},
             {"seed", options.seed},
             {"shard", fmt::format("{}/{}", options.shard.index, options.shard.count)},
             {"starts", state.starts},

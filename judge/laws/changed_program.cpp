@@ -40,7 +40,7 @@ Ask ask_of(const Change& change, const spec::Case& c) {
   return c.setup.control == spec::Control::fanuc ? change.fanuc : change.klartext;
 }
 
-Verdict hold(const Change& change, const spec::Case& c, std::span<const model::Event> events, const Runner& run) {
+LawResult hold(const Change& change, const spec::Case& c, std::span<const model::Event> events, const Runner& run) {
   const Ask ask = ask_of(change, c);
   if (events.empty() || ask == nullptr) return {};
   Holding holding(change.name, events);
@@ -65,28 +65,28 @@ std::span<const std::string_view> changes() {
   return names;
 }
 
-Verdict hold_changed(std::string_view law, const spec::Case& c, std::span<const model::Event> events,
-                     const Runner& run) {
+LawResult hold_changed(std::string_view law, const spec::Case& c, std::span<const model::Event> events,
+                       const Runner& run) {
   const auto* const found = std::ranges::find(kChanges, law, &Change::name);
   if (found == kChanges.end()) throw std::invalid_argument("no law " + std::string(law));
   return hold(*found, c, events, run);
 }
 
-Verdict hold_changed(const spec::Case& c, std::span<const model::Event> events, const Runner& run) {
+LawResult hold_changed(const spec::Case& c, std::span<const model::Event> events, const Runner& run) {
   constexpr std::uint64_t share = 16;
   const std::uint64_t h = hash(c.program);
-  Verdict verdict;
-  for (std::size_t i = 0; i < kChanges.size() && !verdict.violation; ++i) {
+  LawResult result;
+  for (std::size_t i = 0; i < kChanges.size() && !result.violation; ++i) {
     const Change& change = kChanges.at(i);
     if (ask_of(change, c) == nullptr) continue;
     const bool chosen = h % share == 0 && h / share % kChanges.size() == i;
     if (!chosen && (change.always == nullptr || !change.always(c))) continue;
-    const Verdict one = hold(change, c, events, run);
-    verdict.checks += one.checks;
-    verdict.left_open += one.left_open;
-    verdict.violation = one.violation;
+    const LawResult one = hold(change, c, events, run);
+    result.checks += one.checks;
+    result.left_open += one.left_open;
+    result.violation = one.violation;
   }
-  return verdict;
+  return result;
 }
 
 }  // namespace toolcomp::judge::laws

@@ -53,9 +53,9 @@ using Runner = std::function<std::vector<model::Event>(const spec::Case&)>;
 std::span<const std::string_view> changes();
 
 // Checks the law of this name, whatever the share.
-Verdict hold_changed(std::string_view law, const spec::Case& c, std::span<const model::Event> events,
-                     const Runner& run);
+LawResult hold_changed(std::string_view law, const spec::Case& c, std::span<const model::Event> events,
+                       const Runner& run);
 // Checks one law for every sixteenth program, and the laws that are checked for every program of its kind.
-Verdict hold_changed(const spec::Case& c, std::span<const model::Event> events, const Runner& run);
+LawResult hold_changed(const spec::Case& c, std::span<const model::Event> events, const Runner& run);
 
 }  // namespace toolcomp::judge::laws

@@ -21,15 +21,15 @@ struct LawInfo {
 // Every law, in the order in which they are checked.
 std::span<const LawInfo> all();
 
-struct Verdict {
+struct LawResult {
   std::uint64_t checks = 0;            // number of checks of all laws
   std::optional<Violation> violation;  // the first
   std::uint64_t left_open = 0;         // number of laws with a check that could not be decided
 };
 
 // Checks all laws that need only the events.
-Verdict hold(const spec::Case& c, std::span<const model::Event> events);
+LawResult hold(const spec::Case& c, std::span<const model::Event> events);
 // Checks one of these laws, by name.
-Verdict hold(std::string_view name, const spec::Case& c, std::span<const model::Event> events);
+LawResult hold(std::string_view name, const spec::Case& c, std::span<const model::Event> events);
 
 }  // namespace toolcomp::judge::laws

@@ -91,31 +91,31 @@ constexpr Law<KlartextScene> kKlartextLaws[] = {
 
 // A law with a question that cannot be answered (a sign that is not certified) says nothing more: it is left open.
 template <class Scene>
-void ask(const Law<Scene>& law, const Scene& scene, Verdict& verdict) {
+void ask(const Law<Scene>& law, const Scene& scene, LawResult& result) {
   Holding holding(law.info.name, scene.events);
   try {
     law.ask(scene, holding);
   } catch (const exact::Undecided&) {
-    ++verdict.left_open;
+    ++result.left_open;
   }
-  verdict.checks += holding.checks();
-  if (!verdict.violation) verdict.violation = holding.violation();
+  result.checks += holding.checks();
+  if (!result.violation) result.violation = holding.violation();
 }
 
 // The laws of one dialect up to the first that is broken; `only` one of them, or all.
 template <class Scene, std::size_t N>
-Verdict ask_all(const Law<Scene> (&laws)[N], const Scene& scene, std::string_view only) {
-  Verdict verdict;
+LawResult ask_all(const Law<Scene> (&laws)[N], const Scene& scene, std::string_view only) {
+  LawResult result;
   for (const Law<Scene>& law : laws)
-    if (!verdict.violation && (only.empty() || law.info.name == only)) ask(law, scene, verdict);
-  return verdict;
+    if (!result.violation && (only.empty() || law.info.name == only)) ask(law, scene, result);
+  return result;
 }
 
-Verdict ask_all(const spec::Case& c, std::span<const model::Event> events, std::string_view only) {
+LawResult ask_all(const spec::Case& c, std::span<const model::Event> events, std::string_view only) {
   if (c.setup.control == spec::Control::fanuc) {
     const FanucScene scene(c, events);
     // Laws find the block of an event by its line; where programs are called a line may run more than once.
-    return scene.program.calls() ? Verdict() : ask_all(kFanucLaws, scene, only);
+    return scene.program.calls() ? LawResult() : ask_all(kFanucLaws, scene, only);
   }
   return ask_all(kKlartextLaws, KlartextScene(c, events), only);
 }
@@ -132,9 +132,9 @@ std::span<const LawInfo> all() {
   return infos;
 }
 
-Verdict hold(const spec::Case& c, std::span<const model::Event> events) { return ask_all(c, events, ""); }
+LawResult hold(const spec::Case& c, std::span<const model::Event> events) { return ask_all(c, events, ""); }
 
-Verdict hold(std::string_view name, const spec::Case& c, std::span<const model::Event> events) {
+LawResult hold(std::string_view name, const spec::Case& c, std::span<const model::Event> events) {
   if (std::ranges::find(all(), name, &LawInfo::name) == all().end())
     throw std::invalid_argument("no law " + std::string(name));
   return ask_all(c, events, name);

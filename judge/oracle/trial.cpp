@@ -49,9 +49,9 @@ std::string_view name(Acceptance acceptance) {
 
 std::uint64_t hold_laws(const spec::Case& c, const ModelRun& run, Verdict& verdict) {
   if (verdict.outcome != Outcome::agrees && verdict.outcome != Outcome::nothing_judged) return 0;
-  laws::Verdict held = laws::hold(c, run.events);
+  laws::LawResult held = laws::hold(c, run.events);
   if (!held.violation) {
-    const laws::Verdict changed =
+    const laws::LawResult changed =
         laws::hold_changed(c, run.events, [](const spec::Case& other) { return run_model(other).events; });
     held.checks += changed.checks;
     held.violation = changed.violation;

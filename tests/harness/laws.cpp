@@ -394,14 +394,14 @@ TEST(Laws, HoldForRightEventsAndBreakForWrongOnes) {
     SCOPED_TRACE(std::string(example.law) + "\n" + example.c.program);
     asked.insert(example.law);
     Events events = run_model(example.c).events;
-    const laws::Verdict right = laws::hold(example.law, example.c, events);
+    const laws::LawResult right = laws::hold(example.law, example.c, events);
     EXPECT_GT(right.checks, 0U);
     EXPECT_EQ(right.left_open, 0U);
     EXPECT_FALSE(right.violation) << right.violation->text << ": " << right.violation->amount;
-    const laws::Verdict every = laws::hold(example.c, events);
+    const laws::LawResult every = laws::hold(example.c, events);
     EXPECT_FALSE(every.violation) << every.violation->law << ": " << every.violation->amount;
     example.wrong(events);
-    const laws::Verdict wrong = laws::hold(example.law, example.c, events);
+    const laws::LawResult wrong = laws::hold(example.law, example.c, events);
     ASSERT_TRUE(wrong.violation);
     EXPECT_EQ(wrong.violation->law, example.law);
     EXPECT_FALSE(wrong.violation->text.empty());
@@ -426,7 +426,7 @@ TEST(Laws, HoldWhereTheyOnceCriedWolf) {
   inclined.samples = 2;
   for (const spec::Case& c : {side_change, inclined}) {
     SCOPED_TRACE(c.program);
-    const laws::Verdict verdict = laws::hold(c, run_model(c).events);
+    const laws::LawResult verdict = laws::hold(c, run_model(c).events);
     EXPECT_GT(verdict.checks, 0U);
     EXPECT_EQ(verdict.left_open, 0U);
     EXPECT_FALSE(verdict.violation) << verdict.violation->law << ": " << verdict.violation->amount;
@@ -443,7 +443,7 @@ TEST(Laws, ReadWordsAsTheirOwnersDo) {
         head("G90 G01 F100\nG45 X10. D1\nG43.5 H1 Q2. P0\nX0 I1 K1\nG02 X20. R15.\n"),
         fanuc("cutter-compensation-c", "G90 G01 F100 X0\nG41 X40. D1\nX80.\nX100. Y20.; Y40.; G40 Y60.; X70.\n")}) {
     SCOPED_TRACE(c.program);
-    const laws::Verdict verdict = laws::hold(c, run_model(c).events);
+    const laws::LawResult verdict = laws::hold(c, run_model(c).events);
     EXPECT_GT(verdict.checks, 0U);
     EXPECT_EQ(verdict.left_open, 0U);
     EXPECT_FALSE(verdict.violation) << verdict.violation->law << ": " << verdict.violation->amount;
@@ -457,7 +457,7 @@ TEST(Laws, AChangedEndHardlyBesideTheCommandedOne) {
       "X-6. I-.0000000000001 K-98\n");
   c.setup.parameters[{19738, -1}] = spec::decimal(2);
   c.setup.parameters[{19739, -1}] = spec::decimal(1);
-  const laws::Verdict verdict = laws::hold(c, run_model(c).events);
+  const laws::LawResult verdict = laws::hold(c, run_model(c).events);
   EXPECT_GT(verdict.checks, 0U);
   EXPECT_FALSE(verdict.violation) << verdict.violation->law << ": " << verdict.violation->amount;
 }
@@ -491,10 +491,10 @@ TEST(Laws, OfChangedProgramsHoldAndBreak) {
     spec::Case c = law == "reversed" ? corners() : rounded_corner();
     if (law == "cut-at-a-stop") c.program += "M00\n";
     const Events events = run_model(c).events;
-    const laws::Verdict held = laws::hold_changed(law, c, events, right);
+    const laws::LawResult held = laws::hold_changed(law, c, events, right);
     EXPECT_GE(held.checks, events.size());
     EXPECT_FALSE(held.violation) << held.violation->text << ": " << held.violation->amount;
-    const laws::Verdict broken = laws::hold_changed(law, c, events, wrong);
+    const laws::LawResult broken = laws::hold_changed(law, c, events, wrong);
     ASSERT_TRUE(broken.violation);
     EXPECT_EQ(broken.violation->law, law);
     EXPECT_FALSE(broken.violation->amount.empty());
@@ -534,7 +534,7 @@ Events corner_in_the_system_before(const spec::Case& c, const std::vector<Coordi
 TEST(Laws, FindACornerInTheCoordinatesOfTheSystemBefore) {
   const spec::Case c = cancel_in_another_system();
   const laws::Runner right = [](const spec::Case& other) { return run_model(other).events; };
-  const laws::Verdict held = laws::hold_changed(c, right(c), right);
+  const laws::LawResult held = laws::hold_changed(c, right(c), right);
   EXPECT_GT(held.checks, 0U);
   EXPECT_FALSE(held.violation) << held.violation->text << ": " << held.violation->amount;
   const auto programmed = &model::Event::programmed;
@@ -544,7 +544,7 @@ TEST(Laws, FindACornerInTheCoordinatesOfTheSystemBefore) {
        std::vector<std::vector<Coordinates>>{{programmed, point, axes}, {point, axes}, {programmed}, {point}, {axes}}) {
     const laws::Runner wrong = [&](const spec::Case& other) { return corner_in_the_system_before(other, fields); };
     // Whatever the share of its program.
-    const laws::Verdict broken = laws::hold_changed(c, wrong(c), wrong);
+    const laws::LawResult broken = laws::hold_changed(c, wrong(c), wrong);
     ASSERT_TRUE(broken.violation);
     EXPECT_EQ(broken.violation->law, "moved-origins");
     EXPECT_EQ(broken.violation->line, 3U);
@@ -584,7 +584,7 @@ TEST(Laws, OfMovedOriginsHoldForEveryPlaceAndBreakForOtherOrigins) {
     SCOPED_TRACE(c.program);
     const Events events = right(c);
     ASSERT_NE(events.back().kind, spec::EventKind::alarm) << events.back().number.view();
-    const laws::Verdict held = laws::hold_changed("moved-origins", c, events, right);
+    const laws::LawResult held = laws::hold_changed("moved-origins", c, events, right);
     EXPECT_GE(held.checks, events.size());
     EXPECT_FALSE(held.violation) << held.violation->line << ' ' << held.violation->text << ": "
                                  << held.violation->amount;

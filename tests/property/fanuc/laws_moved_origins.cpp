@@ -18,7 +18,7 @@ constexpr const char* kSectionsOfFanuc[] = {
     "fanuc/cutter-compensation-b", "fanuc/cutter-compensation-c",     "fanuc/tool-side-compensation",
     "fanuc/leading-edge-offset",   "fanuc/tool-center-point-control", "fanuc/tool-posture-control"};
 
-judge::laws::Verdict moved_origins(const spec::Case& c, const judge::ModelRun& run) {
+judge::laws::LawResult moved_origins(const spec::Case& c, const judge::ModelRun& run) {
   return judge::laws::hold_changed("moved-origins", c, run.events,
                                    [](const spec::Case& other) { return judge::run_model(other).events; });
 }
@@ -63,7 +63,7 @@ RC_GTEST_PROP(LawOfMovedOrigins, HoldsWhereverSystemsChange, ()) {
       *rc::gen::elementOf(std::vector<std::string_view>(std::begin(kSectionsOfFanuc), std::end(kSectionsOfFanuc)))));
   const auto run = model_run(c);
   RC_PRE(run.has_value());
-  const judge::laws::Verdict verdict = moved_origins(c, *run);
+  const judge::laws::LawResult verdict = moved_origins(c, *run);
   RC_CLASSIFY(verdict.checks > 0, "asked");
   if (verdict.violation)
     RC_LOG() << fuzz::encode(c) << "line " << verdict.violation->line << ": " << verdict.violation->text << ": "
@@ -83,7 +83,7 @@ RC_GTEST_PROP(LawOfMovedOrigins, HoldsWhereTheCancelSelectsASystem, ()) {
   c.setup.workpiece[5]['X'] = spec::decimal(*rc::gen::inRange(-99, 100));
   const auto run = model_run(c);
   RC_LOG() << fuzz::encode(c);
-  const judge::laws::Verdict verdict = moved_origins(c, *run);
+  const judge::laws::LawResult verdict = moved_origins(c, *run);
   RC_ASSERT(verdict.checks > 0);
   RC_ASSERT(!verdict.violation);
   fast_agrees(c, *run);
@@ -107,7 +107,7 @@ TEST(LawOfMovedOrigins, IsAskedWhereGeneratedProgramsChangeTheSystem) {
         const std::size_t move = move_in_another_system(c, run);
         if (move == run.events.size()) continue;
         ++reached;
-        const judge::laws::Verdict verdict = moved_origins(c, run);
+        const judge::laws::LawResult verdict = moved_origins(c, run);
         EXPECT_FALSE(verdict.violation) << c.program << verdict.violation->text;
         if (verdict.checks > 0 && !is_open_before(run, move)) ++asked;
       } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch): no run, nothing to ask
