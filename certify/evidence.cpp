@@ -322,7 +322,7 @@ Finding as_seen(const Capabilities& capabilities, const Witness& witness) {
   f.errors = witness.judgement.errors;
   f.expected_events = in_doubles(judge::run_model(f.smallest).events);
   f.actual_events = witness.answer;
-  if (const auto& d = witness.judgement.difference) {
+  if (const auto d = witness.judgement.difference()) {
     f.line = d->line;
     f.field = d->field;
     f.expected = d->expected;

@@ -43,8 +43,7 @@ Judgement differs(judge::Difference difference) {
   Judgement j;
   j.result = Result::differs;
   j.verdict.outcome = judge::Outcome::differs;
-  j.verdict.difference = difference;
-  j.difference = std::move(difference);
+  j.verdict.difference = std::move(difference);
   return j;
 }
 
@@ -80,7 +79,6 @@ Judgement exactly(const spec::Case& c, const judge::ModelRun& run, const ExactEv
   Judgement j;
   if (held.difference) {
     j = differs(*held.difference);
-    if (!j.difference->clause) j.difference->clause = last_clause(run, j.difference->event);
   } else if (!held.undecided.empty()) {
     j.result = Result::undecided;
     j.verdict.outcome = judge::Outcome::undecided;
@@ -145,29 +143,30 @@ std::string words_on_beyond(const judge::Beyond& beyond) {
 
 std::optional<spec::Clause> clause_of_fault(const judge::ModelRun& run) { return last_clause(run, run.events.size()); }
 
+std::optional<judge::Difference> Judgement::difference() const {
+  if (result != Result::differs) return std::nullopt;
+  auto d = verdict.difference;
+  if (d) d->clause = clause;
+  return d;
+}
+
+FailureKey key_of(const spec::Case& c, const judge::Difference& difference) {
+  // No clause enters a law: its name is what differs.
+  if (difference.kind == "law") return {c.section, "", "law " + difference.field};
+  return {c.section, difference.clause ? std::string(spec::info(*difference.clause).id) : "", difference.kind};
+}
+
 FailureKey key_of(const spec::Case& c, const Judgement& judgement) {
-  FailureKey key;
-  key.section = c.section;
-  if (judgement.difference) {
-    key.kind = judgement.difference->kind;
-    // No clause enters a law: its name is what differs.
-    if (key.kind == "law")
-      key.kind += " " + judgement.difference->field;
-    else if (judgement.difference->clause)
-      key.clause = spec::info(*judgement.difference->clause).id;
-  }
-  return key;
+  const auto difference = judgement.difference();
+  return difference ? key_of(c, *difference) : FailureKey{c.section, "", ""};
 }
 
 namespace {
 
 // What the controller wrote goes into findings, reports and lines on a terminal.
 Judgement shown(Judgement j) {
-  for (auto* difference : {&j.difference, &j.verdict.difference})
-    if (*difference)
-      for (std::string* text :
-           {&(*difference)->kind, &(*difference)->field, &(*difference)->expected, &(*difference)->actual})
-        *text = spec::printable(*text, 2000);
+  if (auto& d = j.verdict.difference)
+    for (std::string* text : {&d->kind, &d->field, &d->expected, &d->actual}) *text = spec::printable(*text, 2000);
   j.why = spec::printable(j.why, 2000);
   j.status = spec::printable(j.status);
   j.errors = spec::printable_lines(j.errors);
@@ -196,10 +195,7 @@ Judgement judged_answer(const Capabilities& capabilities, const spec::Case& c, c
   judge::Verdict verdict = text != nullptr ? judge::judge(c, run, *text, options)
                                            : judge::judge(c, run, std::get<FastEvents>(answer.result), options);
   judge::hold_laws(c, run, verdict);
-  Judgement j = judged(std::move(verdict));
-  // A difference in an event that rests on no clause of its own belongs to what was applied before it.
-  if (j.difference && !j.difference->clause) j.difference->clause = last_clause(run, j.difference->event);
-  return j;
+  return judged(std::move(verdict));
 }
 
 }  // namespace
@@ -207,6 +203,8 @@ Judgement judged_answer(const Capabilities& capabilities, const spec::Case& c, c
 Judgement judge_answer(const Capabilities& capabilities, const spec::Case& c, const judge::ModelRun& run,
                        const Answer& answer) {
   Judgement j = shown(judged_answer(capabilities, c, run, answer));
+  if (const auto& d = j.verdict.difference; j.result == Result::differs)
+    j.clause = d->clause ? d->clause : last_clause(run, d->event);
   if (j.result == Result::partly_judged && j.verdict.beyond) j.why += share_judged(c.program, j.verdict.beyond->line);
   return j;
 }
@@ -215,7 +213,6 @@ Judgement judged(judge::Verdict verdict) {
   Judgement j;
   j.verdict = std::move(verdict);
   j.result = result_of(j.verdict.outcome);
-  if (j.result == Result::differs) j.difference = j.verdict.difference;
   if (j.result == Result::undecided) j.why = j.verdict.undecided;
   if (j.result == Result::agrees && too_many_wide(j.verdict.values, j.verdict.wide)) {
     j.result = Result::partly_judged;

@@ -35,12 +35,15 @@ std::string words_on_beyond(const judge::Beyond& beyond);
 
 struct Judgement {
   Result result = Result::nothing_judged;
-  judge::Verdict verdict;                       // counts, and the difference
-  std::optional<judge::Difference> difference;  // with `differs`
-  std::string status;                           // with a fault: how the process ended
-  std::string errors;                           // and its standard error
-  std::string why;                              // with undecided, nothing_judged, partly_judged, not_applicable
-  std::string known_difference;                 // with not_applicable: its name, where the controller says so
+  judge::Verdict verdict;              // counts, and the difference
+  std::optional<spec::Clause> clause;  // with `differs`: that of the difference, or the last one before its event
+  std::string status;                  // with a fault: how the process ended
+  std::string errors;                  // and its standard error
+  std::string why;                     // with undecided, nothing_judged, partly_judged, not_applicable
+  std::string known_difference;        // with not_applicable: its name, where the controller says so
+
+  // With `differs`: the difference, attributed to `clause`.
+  [[nodiscard]] std::optional<judge::Difference> difference() const;
 };
 
 // Two failures with the same key are one finding, even if their programs differ. The key has the section, the clause of
@@ -51,6 +54,8 @@ struct FailureKey {
   std::string kind;
   friend auto operator<=>(const FailureKey&, const FailureKey&) = default;
 };
+FailureKey key_of(const spec::Case& c, const judge::Difference& difference);
+// Without a difference it has the section alone.
 FailureKey key_of(const spec::Case& c, const Judgement& judgement);
 
 // The clause to which a fault in this program is attributed: the last one that the model applies.

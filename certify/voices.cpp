@@ -54,7 +54,7 @@ Voices asked(const spec::Case& c, Subject& other, std::string_view name) {
   std::string open;
   const auto agrees = [&](const judge::ModelRun& with) {
     const Judgement judgement = judge_answer(*able, c, with, answer);
-    if (judgement.result == Result::differs) return judgement.difference->kind == "law";
+    if (judgement.result == Result::differs) return judgement.verdict.difference->kind == "law";
     if (judgement.result != Result::agrees && judgement.result != Result::partly_judged &&
         judgement.result != Result::nothing_judged)
       open = judgement.why;

@@ -33,8 +33,7 @@ class Watched {
     }
     if (judgement.result == certify::Result::differs && watch_)
       watch_(able_, {c, judgement, certify::events_in_double(answer), asked_.before()});
-    if (judgement.difference) judgement.verdict.difference = judgement.difference;
-    if (judgement.result == certify::Result::differs) judgement.verdict.outcome = judge::Outcome::differs;
+    if (auto difference = judgement.difference()) judgement.verdict.difference = std::move(difference);
     return judgement.verdict;
   }
 

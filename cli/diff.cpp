@@ -48,7 +48,7 @@ int say_unjudged(const Program& program, const judge::Verdict& verdict) {
 // The formal specification against the model.
 int diff_specification(const Program& program) {
   const certify::Judgement judgement = certify::compare_specification(program);
-  if (judgement.difference) print_difference(*judgement.difference, program.place(judgement.difference->line));
+  if (const auto difference = judgement.difference()) print_difference(*difference, program.place(difference->line));
   const std::string result =
       fmt::format("{} values judged; {}{}{}", judgement.verdict.values, certify::name(judgement.result),
                   judgement.why.empty() ? "" : ": ", judgement.why);

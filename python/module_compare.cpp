@@ -84,7 +84,7 @@ std::string diff_specification(const std::shared_ptr<Program>& program) {
   json["outcome"] = certify::name(judgement.result);
   json["why"] = judgement.why;
   json["questions"] = 0;
-  json["difference"] = to_json(judgement.difference, *program);
+  json["difference"] = to_json(judgement.difference(), *program);
   return dump(json);
 }
 

@@ -41,11 +41,11 @@ struct Turn {
 Judgement told(const char* kind, const std::string& expected, const std::string& actual) {
   Judgement j;
   j.result = Result::differs;
-  j.difference.emplace();
-  j.difference->kind = kind;
-  j.difference->field = "events";
-  j.difference->expected = expected;
-  j.difference->actual = actual;
+  judge::Difference& d = j.verdict.difference.emplace();
+  d.kind = kind;
+  d.field = "events";
+  d.expected = expected;
+  d.actual = actual;
   return j;
 }
 
@@ -159,7 +159,7 @@ class ThirdVoice {
 
   void note(const fuzz::Target& target, const spec::Case& c, const Judgement& judgement) {
     diary_.hit(
-        fuzz::group_of(c.section, *judgement.difference), result_.executions,
+        fuzz::group_of(c.section, *judgement.difference()), result_.executions,
         [&](const fuzz::HowFound& how) {
           Finding seen = as_seen(able_, {c, judgement, {}, {}});
           seen.controller = kFormalSpecification;

@@ -619,9 +619,7 @@ TEST(Laws, ABrokenLawIsADifference) {
   EXPECT_FALSE(verdict.difference->field.empty());
   EXPECT_GT(verdict.values, 0U);
   // Findings, their shrinking and their replay go by the name of the law; no clause is to blame.
-  certify::Judgement judgement;
-  judgement.difference = verdict.difference;
-  const certify::FailureKey key = certify::key_of(c, judgement);
+  const certify::FailureKey key = certify::key_of(c, *verdict.difference);
   EXPECT_EQ(key.kind, "law " + verdict.difference->field);
   EXPECT_TRUE(key.clause.empty());
   // A difference that is there already stays.
