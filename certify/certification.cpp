@@ -15,7 +15,6 @@
 #include <utility>
 
 #include "certify/asked.h"
-#include "certify/convert.h"
 #include "certify/event_fields.h"
 #include "certify/evidence.h"
 #include "certify/long_program.h"
@@ -138,7 +137,7 @@ class Certification {
     std::uint64_t cases = 0;
     std::pair<std::size_t, std::size_t> size;  // of the smallest, its blocks and bytes
     std::size_t index = 0;                     // its number among all cases
-    Witness witness;                           // with the last requests before it
+    Finding seen;                              // with the last requests before it
     std::vector<std::size_t> asked;            // all requests before it, of its process, by their numbers
   };
 
@@ -215,15 +214,16 @@ class Certification {
     const judge::ModelRun run = judge::run_model(input.c);
     Answer answer;
     answer.result = failure;
-    Witness witness;
-    witness.c = input.c;
-    witness.judgement = judge_answer({}, input.c, run, answer);
-    const CaseResult result = asked_and_judged(input.c, input.origin, run, answer, witness.judgement);
+    const Judgement judgement = judge_answer({}, input.c, run, answer);
+    const Finding seen = as_seen({}, input.c, judgement, answer, {});
+    const CaseResult result = asked_and_judged(input.c, input.origin, run, answer, judgement);
     add(section_of(input.c.section), result);
     if (options_.judged) options_.judged({input.c, &answer, result});
-    settle({{as_seen({}, witness), [&](const auto& stop) {
-               return signed_by_us(make_finding(subject, {}, witness, {options_.shrink_runs, options_.timeout, stop}));
-             }}});
+    settle({{seen, [&](const auto& stop) { return settled(subject, seen, stop); }}});
+  }
+
+  Finding settled(Subject& subject, const Finding& seen, const std::function<bool()>& stop) const {
+    return signed_by_us(make_finding(subject, seen, {options_.shrink_runs, options_.timeout, stop}));
   }
 
   Finding signed_by_us(Finding f) const { return signed_finding(std::move(f), options_.controller, options_.seed); }
@@ -294,7 +294,7 @@ class Certification {
     Judgement j = judge_answer(capabilities, c, run, answer);
     const FailureKey key = key_of(c, j);
     faults.count(key, j.result == Result::differs && is_fault(key));
-    if (j.result == Result::differs) keep(work, key, {c, j, events_in_double(answer), {}}, index);
+    if (j.result == Result::differs) keep(work, as_seen(capabilities, c, j, answer, {}), index);
     CaseResult r = asked_and_judged(c, input.origin, run, answer, std::move(j));
     if (r.origin == Origin::own) say_of_own(r, c, index, &c, &run);
     add(work.clauses, run.recorder.counts());
@@ -342,27 +342,27 @@ class Certification {
   }
 
   // The smallest of one kind is kept with all that was seen, and told at once.
-  void keep(const Work& work, const FailureKey& key, Witness witness, std::size_t index) {
+  void keep(const Work& work, Finding seen, std::size_t index) {
     {
       const std::scoped_lock lock(mutex_);
-      Failures& failures = failures_[key];
-      const std::pair size{count_blocks(witness.c.program), witness.c.program.size()};
+      Failures& failures = failures_[seen.key];
+      const std::pair size{count_blocks(seen.smallest.program), seen.smallest.program.size()};
       // Of two of one size the earlier counts, so that the order in which cases are judged does not.
       if (failures.cases++ > 0 && std::pair{failures.size, failures.index} < std::pair{size, index}) return;
       failures.size = size;
       failures.index = index;
     }
-    if (witness.judgement.errors.empty()) witness.judgement.errors = work.subject.errors();
+    if (seen.errors.empty()) seen.errors = work.subject.errors();
     std::vector<std::size_t> asked;
     if (work.subject.starts() > 0) asked = work.asked.before();
-    witness.before = cases_at(std::span(asked).last(std::min(asked.size(), kRequestsKept)));
-    const Finding seen = signed_by_us(as_seen(certificate_.subject, witness));
+    seen.before = cases_at(std::span(asked).last(std::min(asked.size(), kRequestsKept)));
+    seen = signed_by_us(std::move(seen));
     const std::scoped_lock lock(mutex_);
-    Failures& failures = failures_.at(key);
+    Failures& failures = failures_.at(seen.key);
     if (failures.index != index) return;  // meanwhile another is the smallest
-    failures.witness = std::move(witness);
+    failures.seen = std::move(seen);
     failures.asked = std::move(asked);
-    if (options_.found) options_.found(seen);
+    if (options_.found) options_.found(failures.seen);
   }
 
   std::vector<spec::Case> cases_at(std::span<const std::size_t> indices) {
@@ -429,11 +429,10 @@ class Certification {
   void settle_all(Subject& subject) {
     std::vector<Sighting> sightings;
     for (const auto& [key, failures] : failures_) {
-      Sighting sighting{signed_by_us(as_seen(certificate_.subject, failures.witness)), [&](const auto& stop) {
-                          Witness witness = failures.witness;
-                          witness.before = cases_at(failures.asked);
-                          return signed_by_us(make_finding(subject, certificate_.subject, witness,
-                                                           {options_.shrink_runs, options_.timeout, stop}));
+      Sighting sighting{failures.seen, [&](const auto& stop) {
+                          Finding seen = failures.seen;
+                          seen.before = cases_at(failures.asked);
+                          return settled(subject, seen, stop);
                         }};
       sighting.finding.occurrences = failures.cases;
       sightings.push_back(std::move(sighting));
@@ -456,7 +455,8 @@ class Certification {
   void add_fields_never_sent(std::vector<Sighting>& sightings) {
     for (const NeverSent& field : never_sent(certificate_.subject.fields, results_)) {
       const std::string_view name = spec::field_name(field.field);
-      if (std::ranges::any_of(sightings, [&](const Sighting& s) { return s.finding.field == name; })) continue;
+      if (std::ranges::any_of(sightings, [&](const Sighting& s) { return s.finding.difference.field == name; }))
+        continue;
       const spec::Case c = case_at(field.first).c;
       sightings.push_back({never_sent_finding(c, c, field.field), [this, c, field](const auto& stop) {
                              const bool asked = !stop();
@@ -492,19 +492,18 @@ class Certification {
     Finding f;
     f.smallest = smallest;
     f.first_case = c.id;
-    f.key.section = c.section;
-    f.key.kind = kNeverSent;
-    f.field = spec::field_name(field);
-    f.expected = "sent, as announced in the capabilities";
-    f.actual = "in no answer";
+    f.difference.kind = kNeverSent;
+    f.difference.field = spec::field_name(field);
+    f.difference.expected = "sent, as announced in the capabilities";
+    f.difference.actual = "in no answer";
     const judge::ModelRun run = judge::run_model(f.smallest);
     const auto event = std::ranges::find_if(run.events, [&](const model::Event& e) { return fields_of(e).has(field); });
     if (event != run.events.end()) {
-      f.event = static_cast<std::size_t>(event - run.events.begin());
-      f.line = event->line;
-      if (const auto clause = spec::naming_clause(event->clauses)) f.key.clause = spec::info(*clause).id;
+      f.difference.event = static_cast<std::size_t>(event - run.events.begin());
+      f.difference.line = event->line;
+      f.difference.clause = spec::naming_clause(event->clauses);
     }
-    f.expected_events = in_doubles(run.events);
+    f.key = key_of(c, f.difference);
     f.subject = certificate_.subject;
     return signed_by_us(std::move(f));
   }

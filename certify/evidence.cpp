@@ -46,21 +46,19 @@ struct Way {
 // One finding on its way.
 class Evidence {
  public:
-  Evidence(Subject& subject, const Capabilities& capabilities, const Witness& witness, const EvidenceOptions& options)
+  Evidence(Subject& subject, const Finding& seen, const EvidenceOptions& options)
       : subject_(subject),
-        capabilities_(capabilities),
-        witness_(witness),
+        seen_(seen),
         options_(options),
-        key_(key_of(witness.c, witness.judgement)),
-        patience_(short_patience(subject, options.timeout)) {}
+        patience_(short_patience(subject, options.timeout)),
+        finding_(seen) {}
 
   // What ends before it is known how the finding comes leaves it as it was seen.
   Finding find() {
-    finding_ = as_seen(capabilities_, witness_);
     finding_.complete = false;
     finding_.seen = finding_.tried = 0;
     if (stopped()) return std::move(finding_);
-    const Way all{.fresh = true, .before = witness_.before};
+    const Way all{.fresh = true, .before = seen_.before};
     if (comes({.fresh = true, .before = {}}))
       by_itself();
     else if (!all.before.empty() && comes(all) && every_time(all, 1))
@@ -72,16 +70,16 @@ class Evidence {
 
  private:
   // It could say hello.
-  [[nodiscard]] bool is_known() const { return !capabilities_.fields.empty(); }
+  [[nodiscard]] bool is_known() const { return !seen_.subject.fields.empty(); }
   // An engine in this process has no memory and no moods.
   [[nodiscard]] bool has_moods() const { return subject_.starts() > 0; }
-  [[nodiscard]] bool is_waited_for() const { return !is_known() || key_.kind == name(FaultKind::hang); }
+  [[nodiscard]] bool is_waited_for() const { return !is_known() || seen_.key.kind == name(FaultKind::hang); }
   // It never answered a case: no program is to blame, and each try costs the whole time-out.
   [[nodiscard]] bool answers_nothing() const {
     return !is_known() || (is_waited_for() && has_moods() && subject_.answers() == 0);
   }
   [[nodiscard]] std::uint64_t tries() const {
-    return !has_moods() ? 1 : is_waited_for() ? kTriesOfWaits : is_fault(key_) ? kTriesOfFaults : kTries;
+    return !has_moods() ? 1 : is_waited_for() ? kTriesOfWaits : is_fault(seen_.key) ? kTriesOfFaults : kTries;
   }
   [[nodiscard]] std::uint64_t most_tries() const { return has_moods() && !is_waited_for() ? kMostTries : tries(); }
 
@@ -105,7 +103,7 @@ class Evidence {
   }
 
   void behind_others() {
-    Way way{.fresh = true, .before = fewest(witness_.before)};
+    Way way{.fresh = true, .before = fewest(seen_.before)};
     // Where their number alone matters, the case itself will do for each.
     const Way counted{.fresh = true, .before = {}, .repeats = way.before.size()};
     if (comes(counted))
@@ -133,11 +131,11 @@ class Evidence {
     try {
       judge::ModelRun run = judge::run_model(c);
       // A fault costs a restart, a hang its time-out: no need to see it once more where the clause is another anyway.
-      if (is_fault(key_)) {
+      if (is_fault(seen_.key)) {
         const auto clause = clause_of_fault(run);
-        if (key_.clause != (clause ? spec::info(*clause).id : std::string_view())) return std::nullopt;
+        if (seen_.key.clause != (clause ? spec::info(*clause).id : std::string_view())) return std::nullopt;
       }
-      if (is_known() && !why_not_applicable(capabilities_, c).empty()) return std::nullopt;
+      if (is_known() && !why_not_applicable(seen_.subject, c).empty()) return std::nullopt;
       return run;
     } catch (const std::exception&) {
       return std::nullopt;
@@ -154,7 +152,7 @@ class Evidence {
         static_cast<void>(subject_.run(earlier, patience));
       }
       answer_ = subject_.run(c, patience);
-      return judge_answer(capabilities_, c, *run, answer_);
+      return judge_answer(seen_.subject, c, *run, answer_);
     } catch (const std::exception&) {
       return std::nullopt;
     }
@@ -163,14 +161,11 @@ class Evidence {
   // Whether the case fails so, asked this way.
   bool comes(const Way& way, const spec::Case& c, milliseconds patience) {
     const auto j = judge(c, way, patience);
-    if (!j || j->result != Result::differs || key_of(c, *j) != key_) return false;
-    spec::Case bare = c;
-    bare.expect.clear();
-    bare.has_expect = false;
-    last_ = Witness{std::move(bare), *j, events_in_double(answer_), way.before_of(c)};
+    if (!j || j->result != Result::differs || key_of(c, *j) != seen_.key) return false;
+    last_ = as_seen(seen_.subject, c, *j, answer_, way.before_of(c));
     return true;
   }
-  bool comes(const Way& way) { return comes(way, witness_.c, options_.timeout); }
+  bool comes(const Way& way) { return comes(way, seen_.smallest, options_.timeout); }
 
   bool every_time(const Way& way, std::uint64_t times) {
     for (std::uint64_t n = 0; n < times && !stopped(); ++n)
@@ -226,8 +221,8 @@ class Evidence {
       if (answers_nothing()) return !stopped() && candidate(c).has_value();
       return !given_up() && comes(way, c, patience_);
     };
-    const Witness whole = last_;
-    const Shrunk shrunk = shrink(witness_.c, still_fails,
+    const Finding whole = last_;
+    const Shrunk shrunk = shrink(seen_.smallest, still_fails,
                                  {way.fresh ? std::min(options_.shrink_runs, kFreshRuns) : options_.shrink_runs});
     finding_.runs = shrunk.runs;
     finding_.complete = shrunk.complete && !given_up();
@@ -246,12 +241,12 @@ class Evidence {
 
   // The finding is what failed last.
   void describe() {
-    const Finding shrunk = std::exchange(finding_, as_seen(capabilities_, last_));
+    const Finding shrunk = std::exchange(finding_, last_);
     finding_.first_case = shrunk.first_case;
     finding_.runs = shrunk.runs;
     finding_.complete = shrunk.complete;
     if (is_known() && answers_nothing())
-      finding_.actual += ", and none to any other request: the controller does not answer";
+      finding_.difference.actual += ", and none to any other request: the controller does not answer";
     if (finding_.errors.empty()) finding_.errors = subject_.errors();
   }
 
@@ -267,17 +262,23 @@ class Evidence {
   }
 
   Subject& subject_;
-  const Capabilities& capabilities_;
-  const Witness& witness_;
+  const Finding& seen_;
   const EvidenceOptions& options_;
-  FailureKey key_;
   milliseconds patience_;
   std::size_t fresh_runs_ = 0;  // for the requests before it
   std::size_t requests_ = 0;
   Answer answer_;  // the last
-  Witness last_;   // the last that failed
+  Finding last_;   // the last that failed
   Finding finding_;
 };
+
+// For people and pictures; none if it is not a list of events.
+std::vector<spec::Event<double>> events_in_double(const Answer& answer) {
+  if (const auto* fast = std::get_if<FastEvents>(&answer.result)) return *fast;
+  if (const auto* exact = std::get_if<ExactEvents>(&answer.result)) return in_doubles(*exact);
+  const auto* text = std::get_if<TextEvents>(&answer.result);
+  return text == nullptr ? std::vector<spec::Event<double>>{} : in_doubles(*text);
+}
 
 }  // namespace
 
@@ -295,13 +296,6 @@ milliseconds short_patience(const Subject& subject, milliseconds timeout) {
   return std::min(timeout, milliseconds(200) + 10 * subject.slowest());
 }
 
-std::vector<spec::Event<double>> events_in_double(const Answer& answer) {
-  if (const auto* fast = std::get_if<FastEvents>(&answer.result)) return *fast;
-  if (const auto* exact = std::get_if<ExactEvents>(&answer.result)) return in_doubles(*exact);
-  const auto* text = std::get_if<TextEvents>(&answer.result);
-  return text == nullptr ? std::vector<spec::Event<double>>{} : in_doubles(*text);
-}
-
 Answer ask_fresh(Subject& subject, const std::vector<spec::Case>& before, const spec::Case& c,
                  std::optional<milliseconds> patience) {
   subject.restart();
@@ -309,33 +303,25 @@ Answer ask_fresh(Subject& subject, const std::vector<spec::Case>& before, const 
   return subject.run(c, patience);
 }
 
-Finding as_seen(const Capabilities& capabilities, const Witness& witness) {
+Finding as_seen(const Capabilities& capabilities, const spec::Case& c, const Judgement& judgement, const Answer& answer,
+                std::vector<spec::Case> before) {
   Finding f;
-  f.smallest = witness.c;
+  f.smallest = c;
   f.smallest.expect.clear();
   f.smallest.has_expect = false;
-  f.key = key_of(witness.c, witness.judgement);
+  f.difference = judgement.difference().value();
+  f.key = key_of(c, f.difference);
+  f.status = judgement.status;
+  f.errors = judgement.errors;
   f.subject = capabilities;
-  f.first_case = witness.c.id;
-  f.before = witness.before;
-  f.status = witness.judgement.status;
-  f.errors = witness.judgement.errors;
-  f.expected_events = in_doubles(judge::run_model(f.smallest).events);
-  f.actual_events = witness.answer;
-  if (const auto d = witness.judgement.difference()) {
-    f.line = d->line;
-    f.field = d->field;
-    f.expected = d->expected;
-    f.actual = d->actual;
-    f.deviation_um = d->deviation_um;
-    f.event = d->event;
-  }
+  f.first_case = c.id;
+  f.before = std::move(before);
+  f.actual_events = events_in_double(answer);
   return f;
 }
 
-Finding make_finding(Subject& subject, const Capabilities& capabilities, const Witness& witness,
-                     const EvidenceOptions& options) {
-  return Evidence(subject, capabilities, witness, options).find();
+Finding make_finding(Subject& subject, const Finding& seen, const EvidenceOptions& options) {
+  return Evidence(subject, seen, options).find();
 }
 
 }  // namespace toolcomp::certify

@@ -14,14 +14,6 @@
 
 namespace toolcomp::certify {
 
-// A difference as it was seen.
-struct Witness {
-  spec::Case c;
-  Judgement judgement;
-  std::vector<spec::Event<double>> answer;  // events
-  std::vector<spec::Case> before;           // earlier requests to the same process, in order
-};
-
 struct EvidenceOptions {
   std::size_t shrink_runs = 2000;             // executions a finding may take
   std::chrono::milliseconds timeout{10'000};  // for one answer
@@ -41,22 +33,20 @@ bool is_fault(const FailureKey& key);
 // The time-out for a controller that may hang repeatedly.
 std::chrono::milliseconds short_patience(const Subject& subject, std::chrono::milliseconds timeout);
 
-// The witness as a finding, without trying again.
-Finding as_seen(const Capabilities& capabilities, const Witness& witness);
+// The difference of a judged answer as a finding, without trying again. `before`: earlier requests to the same process,
+// in order.
+Finding as_seen(const Capabilities& capabilities, const spec::Case& c, const Judgement& judgement, const Answer& answer,
+                std::vector<spec::Case> before);
 
 // Tries again: asks a fresh process for the case alone, or else for all earlier requests and then the case. If the
 // difference is reproduced, the program and the earlier requests are shrunk. If no earlier requests are needed, this
 // uses one process as long as it lives, and a fresh process then confirms the result. If the difference is not
 // reproduced, it is kept as it was seen. `seen` of `tried` says how often it was reproduced. A controller that does not
 // answer hello has no capabilities.
-Finding make_finding(Subject& subject, const Capabilities& capabilities, const Witness& witness,
-                     const EvidenceOptions& options);
+Finding make_finding(Subject& subject, const Finding& seen, const EvidenceOptions& options);
 
 // Asks a fresh process the earlier requests and then the case.
 Answer ask_fresh(Subject& subject, const std::vector<spec::Case>& before, const spec::Case& c,
                  std::optional<std::chrono::milliseconds> patience = {});
-
-// The events of the answer, for people and pictures; empty if it is not a list of events.
-std::vector<spec::Event<double>> events_in_double(const Answer& answer);
 
 }  // namespace toolcomp::certify

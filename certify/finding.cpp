@@ -83,11 +83,12 @@ std::string write_finding(const Finding& finding) {
     add("source", quoted(how_known(finding)));
   }
   if (!finding.subject.known.is_all()) add("judged", Json(finding.subject.known.names()).dump());
-  add("line", std::to_string(finding.line));
-  add("field", quoted(finding.field));
-  add("expected", quoted(finding.expected));
-  add("actual", quoted(finding.actual));
-  add("deviation_um", Json(finding.deviation_um).dump());
+  const judge::Difference& d = finding.difference;
+  add("line", std::to_string(d.line));
+  add("field", quoted(d.field));
+  add("expected", quoted(d.expected));
+  add("actual", quoted(d.actual));
+  add("deviation_um", Json(d.deviation_um).dump());
   add_text("status", finding.status);
   add_text("errors", finding.errors);
   add_text("alone", finding.alone);
@@ -133,11 +134,14 @@ Finding read_finding(std::string_view text, const std::string& file) {
   (void)read.integer(*root.find("finding"), "finding", 1, 1);
   finding.smallest = spec::case_from(read.needed(root, "case"), read);
   finding.key = {finding.smallest.section, text_of(root, "clause", read), text_of(root, "kind", read)};
-  finding.line = count_of(root, "line", read, 0);
-  finding.field = text_of(root, "field", read);
-  finding.expected = text_of(root, "expected", read);
-  finding.actual = text_of(root, "actual", read);
-  finding.deviation_um = number_of(root, "deviation_um", read);
+  judge::Difference& d = finding.difference;
+  d.kind = finding.key.kind.starts_with("law ") ? "law" : finding.key.kind;
+  d.clause = spec::find_clause(finding.key.clause);
+  d.line = count_of(root, "line", read, 0);
+  d.field = text_of(root, "field", read);
+  d.expected = text_of(root, "expected", read);
+  d.actual = text_of(root, "actual", read);
+  d.deviation_um = number_of(root, "deviation_um", read);
   finding.status = text_of(root, "status", read);
   finding.errors = text_of(root, "errors", read);
   finding.alone = text_of(root, "alone", read);

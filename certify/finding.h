@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,13 +16,9 @@
 namespace toolcomp::certify {
 
 struct Finding {
-  spec::Case smallest;     // as shrunk
-  FailureKey key;          // its section is that of the case
-  std::uint64_t line = 0;  // line of the program at which both sides first differ
-  std::string field;       // "point.X"
-  std::string expected;    // for people
-  std::string actual;
-  double deviation_um = 0;         // for linear coordinates
+  spec::Case smallest;             // as shrunk
+  FailureKey key;                  // its section is that of the case
+  judge::Difference difference;    // of a file: without its event, and its clause only if this build has it
   std::string status;              // with a fault: how the controller's process ended
   std::string errors;              // last lines of its standard error
   std::string controller;          // the command; empty: the built-in fast engine; or kFormalSpecification
@@ -43,11 +38,7 @@ struct Finding {
   std::size_t runs = 0;     // executions used for shrinking
   bool complete = true;     // nothing simpler fails in the same way
   std::string alone;        // which of model, engine and formal specification stands alone (voices.h); empty: not asked
-
-  // For the picture in the report. Not written to the file.
-  std::vector<spec::Event<double>> expected_events;
-  std::vector<spec::Event<double>> actual_events;
-  std::optional<std::size_t> event;  // index of the first difference
+  std::vector<spec::Event<double>> actual_events;  // for the picture in the report; not written to the file
 };
 
 // {"finding":1, "case":{…}, "kind":…, "clause":…, …}: one JSON object in a file, with a line feed at its end.

@@ -16,8 +16,8 @@ constexpr std::size_t kMostLines = 1'000'000;
 
 // Whether the field of the finding is announced and not in the answer.
 bool is_never_sent(const Finding& finding, const Capabilities& able, const Answer& answer) {
-  const auto field = spec::find_field(finding.field);
-  const bool announced = std::ranges::find(able.fields, finding.field) != able.fields.end();
+  const auto field = spec::find_field(finding.difference.field);
+  const bool announced = std::ranges::find(able.fields, finding.difference.field) != able.fields.end();
   return field && announced && std::holds_alternative<TextEvents>(answer.result) && !answer.sent.has(*field);
 }
 

@@ -61,11 +61,11 @@ Json to_json(const Finding& f, std::size_t index) {
   json["known"] = clause ? Json(spec::known_name(spec::info(*clause).known)) : Json();
   json["source"] = clause ? Json(how_known(f)) : Json();
   json["kind"] = f.key.kind;
-  json["line"] = f.line;
-  json["field"] = f.field;
-  json["expected"] = f.expected;
-  json["actual"] = f.actual;
-  json["deviation_um"] = f.deviation_um;
+  json["line"] = f.difference.line;
+  json["field"] = f.difference.field;
+  json["expected"] = f.difference.expected;
+  json["actual"] = f.difference.actual;
+  json["deviation_um"] = f.difference.deviation_um;
   json["occurrences"] = f.occurrences;
   json["seen"] = f.seen;
   json["tried"] = f.tried;
@@ -158,26 +158,27 @@ std::string file_name(const Finding& finding, std::size_t index) {
 
 std::string explanation(const Finding& f) {
   const std::string& kind = f.key.kind;
-  if (kind == "crash") return "The controller " + f.actual + ".";
-  if (kind == "hang") return "The controller gives " + f.actual + ".";
-  if (kind == "malformed reply") return "The controller's answer breaks the protocol: " + f.actual + ".";
-  if (kind == "error") return "The controller answers with an error: " + f.actual + ".";
-  if (kind == "reply too long") return "The controller gives " + f.actual + ".";
-  const std::string place = "Line " + std::to_string(f.line) + ": ";
+  const judge::Difference& d = f.difference;
+  if (kind == "crash") return "The controller " + d.actual + ".";
+  if (kind == "hang") return "The controller gives " + d.actual + ".";
+  if (kind == "malformed reply") return "The controller's answer breaks the protocol: " + d.actual + ".";
+  if (kind == "error") return "The controller answers with an error: " + d.actual + ".";
+  if (kind == "reply too long") return "The controller gives " + d.actual + ".";
+  const std::string place = "Line " + std::to_string(d.line) + ": ";
   if (kind == "missing field")
-    return place + f.field + " is announced in the capabilities, and is missing in event " +
-           std::to_string(f.event.value_or(0) + 1) + ".";
-  if (kind == kNeverSent) return place + f.field + " is announced in the capabilities, and is in no answer.";
-  if (kind == "missing event") return place + "the event " + f.expected + " is missing; there is " + f.actual + ".";
-  if (kind == "extra event") return place + "there is " + f.actual + ", and the specification has " + f.expected + ".";
-  if (kind == "order") return place + "the events come in another order: " + f.actual + " before " + f.expected + ".";
+    return place + d.field + " is announced in the capabilities, and is missing in event " +
+           std::to_string(d.event + 1) + ".";
+  if (kind == kNeverSent) return place + d.field + " is announced in the capabilities, and is in no answer.";
+  if (kind == "missing event") return place + "the event " + d.expected + " is missing; there is " + d.actual + ".";
+  if (kind == "extra event") return place + "there is " + d.actual + ", and the specification has " + d.expected + ".";
+  if (kind == "order") return place + "the events come in another order: " + d.actual + " before " + d.expected + ".";
   if (kind.starts_with("law "))
-    return place + "the model itself breaks the law " + f.field + ". Checked: " + f.expected + ". Found: " + f.actual +
+    return place + "the model itself breaks the law " + d.field + ". Checked: " + d.expected + ". Found: " + d.actual +
            ".";
   if (kind == kSpecificationKind)
-    return place + f.field + " is " + f.expected + " in the model and " + f.actual + " in the formal specification.";
-  std::string text = place + f.field + " is " + f.actual + " and should be " + f.expected;
-  if (f.deviation_um != 0) text += fmt::format(" ({:.3g} µm off)", f.deviation_um);
+    return place + d.field + " is " + d.expected + " in the model and " + d.actual + " in the formal specification.";
+  std::string text = place + d.field + " is " + d.actual + " and should be " + d.expected;
+  if (d.deviation_um != 0) text += fmt::format(" ({:.3g} µm off)", d.deviation_um);
   return text + ".";
 }
 

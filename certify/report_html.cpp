@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <span>
 
+#include "certify/convert.h"
 #include "certify/markup.h"
 #include "certify/page.h"
 #include "certify/path_svg.h"
@@ -234,8 +235,9 @@ std::string finding(const Finding& f, std::size_t index) {
   std::string out = fmt::format("<article id=\"finding-{}\">\n<h3>{}. {} <span class=\"soft\">in {}</span></h3>\n",
                                 index + 1, index + 1, escape(f.key.kind), escape(section_name(f.key.section)));
   out += clause_words(f) + "<p>" + escape(explanation(f)) + "</p>\n";
-  std::vector<Row> rows{{"field", code(f.field)}, {"expected", code(f.expected)}, {"actual", code(f.actual)}};
-  if (f.deviation_um != 0) rows.push_back({"deviation", escape(small(f.deviation_um)) + " µm"});
+  const judge::Difference& d = f.difference;
+  std::vector<Row> rows{{"field", code(d.field)}, {"expected", code(d.expected)}, {"actual", code(d.actual)}};
+  if (d.deviation_um != 0) rows.push_back({"deviation", escape(small(d.deviation_um)) + " µm"});
   rows.push_back({"cases", fmt::format("{}, the first {}", f.occurrences, code(f.first_case))});
   if (!f.not_settled.empty()) rows.push_back({"not settled", escape(f.not_settled)});
   if (!f.status.empty()) rows.push_back({"the process", escape(f.status)});
@@ -244,7 +246,7 @@ std::string finding(const Finding& f, std::size_t index) {
   if (f.seen < f.tried) rows.push_back({"reproduced", fmt::format("in {} of {} runs", f.seen, f.tried)});
   rows.push_back({"judge again", code("toolcomp replay findings/" + file_name(f, index))});
   out += facts(rows);
-  out += listing(f.smallest.program, f.line);
+  out += listing(f.smallest.program, d.line);
   out += "<details><summary>Setup</summary><pre>" + escape(spec::write_setup_toml(f.smallest.setup)) +
          "</pre></details>\n";
   if (!f.errors.empty())
@@ -252,9 +254,10 @@ std::string finding(const Finding& f, std::size_t index) {
         "<details><summary>Standard error of the controller</summary><pre>" + escape(f.errors) + "</pre></details>\n";
   PathOptions options = path_options(f.smallest);
   options.other = f.actual_events;
-  options.marked = f.event;
-  out += view(fmt::format("Finding {}", index + 1), f.smallest, view_run(f.smallest, f.expected_events), {options, {}},
-              path_svg(f.expected_events, f.smallest.setup.axes, options));
+  options.marked = d.event;
+  const auto expected = in_doubles(judge::run_model(f.smallest).events);
+  out += view(fmt::format("Finding {}", index + 1), f.smallest, view_run(f.smallest, expected), {options, {}},
+              path_svg(expected, f.smallest.setup.axes, options));
   if (!f.complete) out += "<p class=\"soft\">Not shrunk completely: a smaller program may fail too.</p>\n";
   return out + "</article>\n";
 }

@@ -52,10 +52,10 @@ Json location(const Finding& f, std::size_t index) {
   json["physicalLocation"] = {
       {"artifactLocation", {{"uri", "findings/" + file_name(f, index)}, {"uriBaseId", "REPORT"}}},
       {"region", std::move(region)}};
-  json["logicalLocations"] =
-      Json::array({{{"name", fmt::format("line {}", f.line)},
-                    {"fullyQualifiedName",
-                     fmt::format("{}/line {}", f.first_case.empty() ? f.key.section : f.first_case, f.line)}}});
+  json["logicalLocations"] = Json::array(
+      {{{"name", fmt::format("line {}", f.difference.line)},
+        {"fullyQualifiedName",
+         fmt::format("{}/line {}", f.first_case.empty() ? f.key.section : f.first_case, f.difference.line)}}});
   return json;
 }
 

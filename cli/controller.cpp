@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "certify/asked.h"
-#include "certify/finding.h"
+#include "certify/evidence.h"
 #include "certify/judge.h"
 #include "certify/subject.h"
 #include "spec/language/input_error.h"
@@ -32,7 +32,7 @@ class Watched {
       judgement = certify::judge_answer(able_, c, run, answer);
     }
     if (judgement.result == certify::Result::differs && watch_)
-      watch_(able_, {c, judgement, certify::events_in_double(answer), asked_.before()});
+      watch_(certify::as_seen(able_, c, judgement, answer, asked_.before()));
     if (auto difference = judgement.difference()) judgement.verdict.difference = std::move(difference);
     return judgement.verdict;
   }

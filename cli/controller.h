@@ -6,13 +6,13 @@
 #include <optional>
 #include <string>
 
-#include "certify/evidence.h"
+#include "certify/finding.h"
 #include "judge/oracle/trial.h"
 
 namespace toolcomp::cli {
 
-// Told what differs: all that was seen.
-using Watch = std::function<void(const certify::Capabilities&, const certify::Witness&)>;
+// Told what differs, as it was seen.
+using Watch = std::function<void(certify::Finding)>;
 
 // Judges what the command answers; `timeout` in seconds. Throws spec::InputError if it cannot be used, or announces a
 // resolution coarser than what is certified and than `accepted_resolution`, which is looked at if it is there.

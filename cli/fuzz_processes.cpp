@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // The processes of a campaign: the built-in driver as a worker, the third voice, a sighting looked at.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -11,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/evidence.h"
+#include "certify/finding.h"
 #include "certify/fuzzing/settler.h"
 #include "certify/fuzzing/third_voice.h"
 #include "cli/controller.h"
@@ -93,9 +91,8 @@ class BuiltIn {
     if (options_.controller.empty())
       driver.on_finding = [this](const spec::Case& c, const judge::Difference& difference) { note(c, difference); };
     else
-      driver.judged_by = judge_of_controller(
-          options_.controller, options_.timeout, {},
-          [this](const certify::Capabilities& able, const certify::Witness& seen) { note(able, seen); });
+      driver.judged_by = judge_of_controller(options_.controller, options_.timeout, {},
+                                             [this](certify::Finding seen) { note(std::move(seen)); });
     return driver;
   }
 
@@ -106,13 +103,11 @@ class BuiltIn {
   }
 
   // Of a controller all that was seen belongs to it: what it was asked before, and what it said.
-  void note(const certify::Capabilities& able, const certify::Witness& witness) {
-    const certify::FailureKey key = certify::key_of(witness.c, witness.judgement);
+  void note(certify::Finding seen) {
     diary_.hit(
-        fmt::format("{}|{}|{}", key.section, key.kind, key.clause), driver_.result().executions + 1,
+        fuzz::group_of(seen.key.section, seen.difference), driver_.result().executions + 1,
         [&](const fuzz::HowFound& how) {
-          certify::Finding seen =
-              certify::signed_finding(certify::as_seen(able, witness), options_.controller, options_.seed);
+          seen = certify::signed_finding(std::move(seen), options_.controller, options_.seed);
           seen.target = how.target;
           seen.executions = how.executions;
           seen.seconds = how.seconds;

@@ -30,6 +30,7 @@ struct Seen {
   std::optional<std::vector<ValuePair>> pairs;
   double resolution = 0;  // announced
   bool fault = false;     // there are no events that came
+  Events expected;        // without a fault
 
   [[nodiscard]] bool same(double a, double b) const {
     return std::fabs(a - b) <= resolution + judge::policy::kSameForCause * std::max({1.0, std::fabs(a), std::fabs(b)});
@@ -205,7 +206,7 @@ bool came(const Seen& seen, const spec::Case& c) {
 
 // Whether it is the events expected, once they are changed.
 bool came_changed(const Seen& seen, const std::function<void(Events&)>& change) {
-  Events events = seen.finding.expected_events;
+  Events events = seen.expected;
   change(events);
   return came(seen, events, seen.finding.smallest.setup.axes);
 }
@@ -265,26 +266,26 @@ bool is_number(const std::string& text) {
 // What is not in numbers: faults by how they show, words by what stands in place of what.
 std::vector<std::string> words_of(const Finding& f) {
   const std::string& kind = f.key.kind;
+  const judge::Difference& d = f.difference;
   if (kind.starts_with("law ")) return {};
   if (is_fault(f.key)) {
     // How long it was waited for is no matter.
-    if (f.actual.starts_with("no answer within")) return {kind};
-    const std::string text = f.actual.substr(0, f.actual.find('"'));
+    if (d.actual.starts_with("no answer within")) return {kind};
+    const std::string text = d.actual.substr(0, d.actual.find('"'));
     return {kind + ": " + text.substr(0, text.find_last_not_of(" :,") + 1)};
   }
-  if (kind == "missing field" || kind == kNeverSent) return {kind + ": " + f.field.substr(0, f.field.find('.'))};
-  if (f.field.empty() || f.field == "event" || is_number(f.actual) || is_number(f.expected)) return {};
-  return {fmt::format("{} is {} instead of {}", f.field, f.actual, f.expected),
-          fmt::format("{} is always {}", f.field, f.actual)};
+  if (kind == "missing field" || kind == kNeverSent) return {kind + ": " + d.field.substr(0, d.field.find('.'))};
+  if (d.field.empty() || d.field == "event" || is_number(d.actual) || is_number(d.expected)) return {};
+  return {fmt::format("{} is {} instead of {}", d.field, d.actual, d.expected),
+          fmt::format("{} is always {}", d.field, d.actual)};
 }
 
 // Any one: what is left of them is tried with each left out in turn.
 void add_one_less(Hypotheses& out) {
   out.push_back(
       {"one event of each answer is missing", [](const Seen& s) {
-         const Events& expected = s.finding.expected_events;
-         if (s.fault || s.finding.actual_events.size() + 1 != expected.size()) return false;
-         for (std::size_t i = 0; i < expected.size(); ++i)
+         if (s.fault || s.finding.actual_events.size() + 1 != s.expected.size()) return false;
+         for (std::size_t i = 0; i < s.expected.size(); ++i)
            if (came_changed(s, [i](Events& events) { events.erase(events.begin() + static_cast<std::ptrdiff_t>(i)); }))
              return true;
          return false;
@@ -328,7 +329,7 @@ void add_by_field(const std::vector<Finding>& findings, std::vector<SharedCause>
   for (std::size_t i = 0; i < findings.size(); ++i)
     if (!explained.contains(i)) {
       const Finding& f = findings[i];
-      const std::string field = f.field.substr(0, f.field.find_first_of(".["));
+      const std::string field = f.difference.field.substr(0, f.difference.field.find_first_of(".["));
       left["not explained: " + f.key.kind + (field.empty() || field == f.key.kind ? "" : " of " + field)].push_back(i);
     }
   for (auto& [words, indices] : left) causes.push_back({words, std::move(indices)});
@@ -336,9 +337,11 @@ void add_by_field(const std::vector<Finding>& findings, std::vector<SharedCause>
 
 // Pairs only where a number is what differs.
 Seen seen_in(const Finding& f) {
-  Seen seen{f, std::nullopt, f.subject.resolution.numbers().mm, is_fault(f.key) || f.key.kind == kNeverSent};
-  if (seen.fault || f.key.kind == "missing field") return seen;
-  seen.pairs = pairs_of(f.expected_events, f.actual_events, f.smallest.setup.axes);
+  Seen seen{f, std::nullopt, f.subject.resolution.numbers().mm, is_fault(f.key) || f.key.kind == kNeverSent, {}};
+  if (seen.fault) return seen;
+  seen.expected = in_doubles(judge::run_model(f.smallest).events);
+  if (f.key.kind == "missing field") return seen;
+  seen.pairs = pairs_of(seen.expected, f.actual_events, f.smallest.setup.axes);
   const auto differs = [&](const ValuePair& pair) { return !seen.same(pair.actual, pair.expected.number); };
   if (seen.pairs && std::ranges::none_of(*seen.pairs, differs)) seen.pairs.reset();
   return seen;

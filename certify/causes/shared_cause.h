@@ -22,7 +22,7 @@ struct SharedCause {
 // constant or a factor or rounded, exchanged axes, positions one block late, and the mistakes of mistakes.h. A finding
 // belongs to the first cause that explains the largest number of findings. The result is a hint: another mistake may
 // look the same. Findings that no mistake explains are grouped by what differs: "not explained: coordinate of axes".
-// `findings` must have their events.
+// `findings` must have their actual events.
 std::vector<SharedCause> shared_causes(const std::vector<Finding>& findings);
 
 }  // namespace toolcomp::certify

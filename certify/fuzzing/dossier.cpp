@@ -12,6 +12,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "certify/convert.h"
 #include "certify/path_svg.h"
 #include "certify/program_text.h"
 #include "certify/report.h"
@@ -65,9 +66,9 @@ std::string margins(const Finding& finding, const judge::ModelRun& run) {
       if (wanted(d)) at.push_back(&d);
   };
   const auto by_clause = [&](const model::Decision& d) { return spec::info(d.clause).id == finding.key.clause; };
-  choose([&](const model::Decision& d) { return by_clause(d) && d.line == finding.line; });
+  choose([&](const model::Decision& d) { return by_clause(d) && d.line == finding.difference.line; });
   choose(by_clause);
-  choose([&](const model::Decision& d) { return d.line == finding.line; });
+  choose([&](const model::Decision& d) { return d.line == finding.difference.line; });
   if (at.empty()) return "no sign of a number was decided there\n";
   sort_by(at, [](const model::Decision* d) { return judge::margin(*d); });
   constexpr std::size_t kMost = 3;
@@ -235,18 +236,18 @@ bool write_dossier(const Dossier& dossier, const fs::path& folder) {
   std::string margin = "not examined\n";
   if (dossier.stage != Stage::seen) {
     const judge::ModelRun run = judge::run_model(f.smallest);
+    if (dossier.why.empty() && !run.events.empty()) {
+      PathOptions options = path_options(f.smallest);
+      options.other = f.actual_events;
+      options.marked = f.difference.event;
+      host::write_file(part / "picture.svg", path_svg(in_doubles(run.events), axes, options));
+    }
     margin = margins(f, run);
     host::write_file(part / "expected.jsonl", exact_events(run, axes));
   }
   host::write_file(part / "actual.jsonl", lines(f.actual_events, axes, [](std::string& out, double value) {
                      fast::append_number(out, value);
                    }));
-  if (!f.expected_events.empty()) {
-    PathOptions options = path_options(f.smallest);
-    options.other = f.actual_events;
-    options.marked = f.event;
-    host::write_file(part / "picture.svg", path_svg(f.expected_events, axes, options));
-  }
   host::write_file(part / "finding.txt", story(dossier, margin));
   host::write_file(part / "finding.json", write_finding(f));
   put_in_place(part, folder);

@@ -108,7 +108,7 @@ Dossier settle(const Finding& seen, const SettleOptions& options) {
     const auto* const able = std::get_if<Capabilities>(&said);
     const judge::ModelRun run = judge::run_model(seen.smallest);
     const Capabilities capabilities = able != nullptr ? *able : Capabilities{};
-    Answer answer = ask_fresh(*subject, seen.before, seen.smallest);
+    const Answer answer = ask_fresh(*subject, seen.before, seen.smallest);
     const Judgement judgement = judge_answer(capabilities, seen.smallest, run, answer);
     if (judgement.result != Result::differs)
       return as_it_was(seen, Stage::gone, fmt::format("judged again: {}", name(judgement.result)));
@@ -117,10 +117,8 @@ Dossier settle(const Finding& seen, const SettleOptions& options) {
     evidence.shrink_runs = options.shrink_runs;
     evidence.stop = options.stop;
     Dossier dossier;
-    dossier.finding =
-        with_origin(make_finding(*subject, capabilities,
-                                 {seen.smallest, judgement, events_in_double(answer), seen.before}, evidence),
-                    seen);
+    const Finding again = as_seen(capabilities, seen.smallest, judgement, answer, seen.before);
+    dossier.finding = with_origin(make_finding(*subject, again, evidence), seen);
     dossier.finding.alone = voices(dossier.finding, *subject);
     dossier.stage = dossier.finding.complete ? Stage::shrunk : Stage::reproduced;
     dossier.shape = shape_of(dossier.finding.smallest);
@@ -160,9 +158,10 @@ Finding read_sighting(const std::filesystem::path& file, const std::string& targ
   }
   finding.smallest.id = "found." + fuzz::digest(bytes);
   finding.first_case = finding.smallest.id;
-  finding.field = "process";
-  finding.expected = "events";
-  finding.actual = "ended at this input";
+  finding.difference.kind = finding.key.kind;
+  finding.difference.field = "process";
+  finding.difference.expected = "events";
+  finding.difference.actual = "ended at this input";
   return finding;
 }
 

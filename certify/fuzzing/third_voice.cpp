@@ -161,7 +161,7 @@ class ThirdVoice {
     diary_.hit(
         fuzz::group_of(c.section, *judgement.difference()), result_.executions,
         [&](const fuzz::HowFound& how) {
-          Finding seen = as_seen(able_, {c, judgement, {}, {}});
+          Finding seen = as_seen(able_, c, judgement, {}, {});
           seen.controller = kFormalSpecification;
           seen.target = target.name;
           seen.seed = std::to_string(how.seed);
@@ -201,10 +201,11 @@ int run_third_voice(const ThirdVoiceOptions& options) {
 std::string ended_at(const std::string& case_line, const std::string& how) {
   Finding finding;
   finding.smallest = spec::read_case(case_line, "black_box");
-  finding.key = {finding.smallest.section, "", how};
-  finding.field = "process";
-  finding.expected = "events";
-  finding.actual = "ended at this input";
+  finding.difference.kind = how;
+  finding.difference.field = "process";
+  finding.difference.expected = "events";
+  finding.difference.actual = "ended at this input";
+  finding.key = key_of(finding.smallest, finding.difference);
   finding.first_case = finding.smallest.id;
   finding.controller = kFormalSpecification;
   return write_finding(finding);

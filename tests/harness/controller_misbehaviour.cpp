@@ -100,7 +100,7 @@ TEST_P(Misbehaves, GivesATypedFindingThatReplayReproduces) {
     EXPECT_EQ(f.not_settled, "");
     EXPECT_LE(count_blocks(f.smallest.program), m.most_blocks) << f.smallest.program;
     EXPECT_GE(count_blocks(f.smallest.program), 1U);
-    EXPECT_NE(f.actual, "");
+    EXPECT_NE(f.difference.actual, "");
     ReplayOptions how;
     how.timeout = o.timeout;
     const Replay again = replay(paths[i], how);
@@ -134,7 +134,7 @@ TEST(Controller, StandardErrorOfACrashIsKept) {
   const Certificate c = certify::certify(o);
   ASSERT_FALSE(c.findings.empty());
   EXPECT_NE(c.findings[0].errors.find("servo not ready"), std::string::npos);
-  EXPECT_NE(c.findings[0].actual.find("exit status 3"), std::string::npos);
+  EXPECT_NE(c.findings[0].difference.actual.find("exit status 3"), std::string::npos);
   EXPECT_EQ(c.findings[0].status, "exit status 3");
 }
 
@@ -327,7 +327,7 @@ TEST(Controller, AFieldAnnouncedAndNeverSentIsAFinding) {
   EXPECT_EQ(c.findings[0].key.kind, "field never sent");
   ASSERT_EQ(c.causes.size(), 1U);
   EXPECT_EQ(c.causes[0].words, "field never sent: clauses");
-  EXPECT_EQ(c.findings[0].field, "clauses");
+  EXPECT_EQ(c.findings[0].difference.field, "clauses");
   EXPECT_LE(count_blocks(c.findings[0].smallest.program), 2U);
   const auto paths = write_report(c, folder("never-sends"));
   ASSERT_FALSE(paths.empty());

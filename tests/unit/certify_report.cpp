@@ -126,17 +126,15 @@ Certificate example() {
     }
   f.key.section = s.section;
   f.key.kind = "coordinate";
-  f.line = 1;
-  f.field = "axes.Z";
-  f.expected = "120";
-  f.actual = "-120";
-  f.deviation_um = 240000;
+  f.difference.line = 1;
+  f.difference.field = "axes.Z";
+  f.difference.expected = "120";
+  f.difference.actual = "-120";
+  f.difference.deviation_um = 240000;
   f.errors = "]]> </pre><script>alert(1)</script>";
   f.first_case = "fanuc.tool-length-offset.seed-17.3";
-  for (const model::Event& event : judge::run_model(f.smallest).events) f.expected_events.push_back(in_double(event));
-  f.actual_events = f.expected_events;
+  f.actual_events = in_doubles(judge::run_model(f.smallest).events);
   f.actual_events.at(0).axes.set(2, -120);
-  f.event = 0;
   c.findings.push_back(f);
   // Another one of the same group, as it was seen.
   f.not_settled = "finding 1 represents its group";

@@ -19,10 +19,10 @@ Finding finding(const std::string& clause, const std::string& kind, const std::s
   f.key = {"fanuc/tool-length-offset", clause, kind};
   f.smallest.section = f.key.section;
   f.smallest.program = program;
-  f.line = 2;
-  f.field = "axes.Z";
-  f.expected = "120";
-  f.actual = "-120";
+  f.difference.line = 2;
+  f.difference.field = "axes.Z";
+  f.difference.expected = "120";
+  f.difference.actual = "-120";
   f.occurrences = 7;
   f.first_case = "fanuc.tool-length-offset.seed-17.3";
   return f;

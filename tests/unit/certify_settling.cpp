@@ -24,7 +24,7 @@ Sighting crash(const std::string& words, const std::string& program, std::uint64
   Finding& f = sighting.finding;
   f.key = {"fanuc/tool-length-offset", program, "crash"};
   f.smallest.program = program;
-  f.actual = words;
+  f.difference.actual = words;
   f.occurrences = cases;
   f.before.resize(5);
   sighting.settle = [f](const std::function<bool()>& stop) {
@@ -169,8 +169,7 @@ Finding settled(Wrong& wrong, const std::vector<spec::Case>& asked, const Eviden
   const spec::Case& last = asked.back();
   const Judgement judgement = judge_answer(able, last, judge::run_model(last), answer);
   EXPECT_EQ(judgement.result, Result::differs);
-  return make_finding(wrong, able, {last, judgement, events_in_double(answer), {asked.begin(), asked.end() - 1}},
-                      options);
+  return make_finding(wrong, as_seen(able, last, judgement, answer, {asked.begin(), asked.end() - 1}), options);
 }
 
 std::vector<spec::Case> many() {

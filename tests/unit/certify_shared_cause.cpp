@@ -40,8 +40,7 @@ Finding finding(const spec::Case& c, Events actual) {
   Finding f;
   f.smallest = c;
   f.key = {c.section, "", "coordinate"};
-  f.field = "axes.X";
-  f.expected_events = events_of(c);
+  f.difference.field = "axes.X";
   f.actual_events = std::move(actual);
   return f;
 }
@@ -150,12 +149,12 @@ TEST(SharedCause, FaultsOfOneKind) {
   for (const std::string& text : kPrograms) {
     Finding f = finding(program(text), {});
     f.key.kind = "crash";
-    f.actual = "ended before it answered: killed by signal 11 (Segmentation fault)";
+    f.difference.actual = "ended before it answered: killed by signal 11 (Segmentation fault)";
     findings.push_back(f);
   }
   findings.push_back(findings[0]);
   findings.back().key.kind = "malformed reply";
-  findings.back().actual = "reply: without id: \"{...}\"";
+  findings.back().difference.actual = "reply: without id: \"{...}\"";
   const auto causes = shared_causes(findings);
   ASSERT_EQ(causes.size(), 2U);
   EXPECT_EQ(causes[0].words, "crash: ended before it answered: killed by signal 11 (Segmentation fault)");
