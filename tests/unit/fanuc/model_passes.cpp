@@ -83,7 +83,7 @@ class ModelPasses : public ::testing::Test {
     through.read(model::Extent::plane, now, step.words);
     const std::vector<model::Leg> legs;
     through.see({{}, legs, [](const model::Position&) { return model::Direction(); }}, step.words);
-    through.take(std::move(step));
+    through.put(std::move(step));
     drain(through);
   }
   static void drain(model::Passes& through) {
