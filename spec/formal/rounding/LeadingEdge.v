@@ -8,14 +8,14 @@
 #   lean.backward = cross(c, tool);
 #   lean.norm = std::sqrt(dot(lean.backward, lean.backward));
 # code: fast/fanuc/leading_edge_offset/leading_edge_offset.h
-#   vector_ = lean.backward * (sense * radius / lean.norm);
+#   vector_ = lean.backward * (backward_ * radius / lean.norm);
 # code: fast/kinematics/direction.h
 #   const double norm = std::sqrt(vx * vx + vy * vy + vz * vz);
 #   const DoublePair xy = DoublePair{vx, vy} / norm;
 #   direction.unit[2] = vz / norm;
 #
 # ranges: a movement that doubles hold exactly, the sine of its angle to the tool at least 0.4901 (the engine asks for
-#   1/2, by doubles; below it takes more digits); a tool direction by words. `sense`, a sign, goes through every rounding.
+#   1/2, by doubles; below it takes more digits); a tool direction by words. `backward_`, a sign, goes through every rounding.
 #   The squares of a length may be added in either order: the last may as well be the first.
 # u = 2^-53, s the sine of the angle between movement and tool, so 1/s the condition of the policy.
 # proves: the vector, as a whole, is off by at most 12.65 u/s times its length (leading_edge_by_words). With a direction
