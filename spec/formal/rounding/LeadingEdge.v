@@ -15,8 +15,8 @@
 #   direction.unit[2] = vz / norm;
 #
 # ranges: a movement that doubles hold exactly, the sine of its angle to the tool at least 0.4901 (the engine asks for
-#   1/2, by doubles; below it takes more digits); a tool direction by words. `backward_`, a sign, goes through every rounding.
-#   The squares of a length may be added in either order: the last may as well be the first.
+#   1/2, by doubles; below it takes more digits); a tool direction by words. `backward_`, a sign, goes through every
+#   rounding. The squares of a length may be added in either order: the last may as well be the first.
 # u = 2^-53, s the sine of the angle between movement and tool, so 1/s the condition of the policy.
 # proves: the vector, as a whole, is off by at most 12.65 u/s times its length (leading_edge_by_words). With a direction
 #   that is off by e: (10.5 u + 2.1 e)/s (leading_edge).
