@@ -20,10 +20,10 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/faults/fault.h"
 #include "fast/batch/batch.h"
 #include "fast/fanuc/engine.h"
 #include "fast/heidenhain/engine.h"
+#include "fuzz/faults/fault.h"
 #include "spec/language/event_json.h"
 #include "spec/language/fanuc/program_reader.h"
 #include "spec/language/heidenhain/klartext_reader.h"

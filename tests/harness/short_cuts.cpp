@@ -20,8 +20,8 @@
 #include <utility>
 #include <vector>
 
-#include "fuzz/faults/fault.h"
 #include "fast/basis/short_cut.h"
+#include "fuzz/faults/fault.h"
 #include "fuzz/faults/faults.h"
 #include "fuzz/gen/encode.h"
 #include "fuzz/gen/generator.h"
