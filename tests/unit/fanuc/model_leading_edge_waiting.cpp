@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "tests/unit/count_allocations.h"
 #include "tests/unit/model_run.h"
@@ -67,6 +68,18 @@ TEST(LeadingEdgeWaiting, BlocksBetweenThemCount) {
   };
   EXPECT_EQ(points(repeated("O7\n", 5) + "M08\n" + repeated("N5\n", 5)), "3 linear X100 Y-10 Z0");
   EXPECT_EQ(points(repeated("O7\n", 5) + "M08\n" + repeated("N5\n", 5) + "M09\n"), "3 linear X92 Y0 Z6");
+}
+
+// fanuc.leading-edge.no-movement: A block with O alone is no block, so no block comes between.
+TEST(LeadingEdgeWaiting, AProgramNumberComesNotBetween) {
+  const auto clauses = [](const std::string& between) {
+    std::vector<std::vector<spec::Clause>> lists;
+    for (const auto& event : test::run(kSetup, kBefore + between + kBehind).sink.events)
+      lists.emplace_back(event.clauses.begin(), event.clauses.end());
+    return lists;
+  };
+  EXPECT_EQ(clauses("O7\n"), clauses(""));
+  EXPECT_NE(clauses("M08\n"), clauses(""));
 }
 
 }  // namespace
