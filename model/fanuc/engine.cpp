@@ -112,8 +112,8 @@ void Engine::State::fail(const LeftOpen& open) {
 void Engine::State::run(const spec::Block& block) {
   reporter.at(block);
   recorder.at(block.line);
-  Step step = maker.make(block, compensation);
-  const bool ends = step.ends_program;
+  OwnedStep step = maker.make(block, compensation);
+  const bool ends = step->ends_program;
   compensation.put(std::move(step));
   report_made();
   // fanuc.program.end: M02 and M30 end the program after their block, and so does the end of the text.

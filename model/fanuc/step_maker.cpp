@@ -26,11 +26,12 @@ StepMaker::StepMaker(const spec::Setup& setup, OffsetMemory& memory, Recorder& r
       tool_offset_(setup, memory, recorder),
       measurement_(setup, recorder) {}
 
-Step StepMaker::make(const spec::Block& block, Passes& passes) {
+OwnedStep StepMaker::make(const spec::Block& block, Passes& passes) {
   Command command = interpreter_.read(block);
   cycles_.read(command);
   interpreter_.require_feed(command);
-  Making now{command, passes, {}, false, {}, {}, false, {}};
+  auto step = std::make_unique<Step>();
+  Making now{command, passes, {}, false, {}, {}, false, *step};
   now.step.line = block.line;
   now.step.n = block.n;
   read_words(now);
@@ -41,7 +42,7 @@ Step StepMaker::make(const spec::Block& block, Passes& passes) {
   add_rest(now);
   complete(now);
   write_offset(now.step);
-  return std::move(now.step);
+  return step;
 }
 
 void StepMaker::read_words(Making& now) {

@@ -34,7 +34,7 @@ class StepMaker {
 
   // The next block. `passes` have taken all steps before it. Throws Alarm or LeftOpen as reading and the words of the
   // block raise them, in their fixed order; then the block makes nothing.
-  Step make(const spec::Block& block, Passes& passes);
+  OwnedStep make(const spec::Block& block, Passes& passes);
   // What positions are counted from now.
   [[nodiscard]] const SharedZero& zero() const { return interpreter_.work().zero(); }
 
@@ -48,7 +48,7 @@ class StepMaker {
     std::vector<Leg> legs;
     LengthPlan plan;
     bool machine = false;  // its moves have machine coordinates
-    Step step;
+    Step& step;
   };
 
   // In this order; the alarms of a command are found in the first three.

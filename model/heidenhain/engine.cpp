@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "model/basis/alarm.h"
-#include "model/basis/window.h"
 #include "model/heidenhain/face_milling/face_milling.h"
 #include "model/heidenhain/peripheral_milling/rules.h"
 #include "model/heidenhain/program/interpreter.h"
@@ -28,7 +27,7 @@ spec::Setup checked(const spec::Setup& setup) {
 
 // A block is read and executed. If it moves, its tool is checked, and one of four rules applies: face milling (a
 // normal), peripheral milling (RL, RR under TCPM), out of scope (RL, RR without), none. The end of a peripheral motion
-// depends on the motion that follows it, so it waits in a window for that one.
+// depends on the motion that follows it, so it waits for that one.
 struct Engine::State {
   State(const spec::Setup& given, Recorder& the_recorder, EventSink& the_sink)
       : setup(checked(given)),
@@ -48,10 +47,14 @@ struct Engine::State {
   };
 
   void run(const spec::klartext::Block& block);
-  void plan(Motion motion);
+  void plan(Motion&& motion);
   void plan(const DrilledHole& hole);
-  // The motions go out as soon as what they need is known.
-  void report_made();
+  // The next motion: that of peripheral milling waits, any other is made at once.
+  void take(Planned&& coming);
+  // Makes the motion that waits, if one does.
+  void make_waiting(const Motion* next);
+  // What is decided from here on belongs to this motion.
+  void go_back_to(Motion& motion);
   void make(Planned& now, const Motion* next);
   void make_peripheral(Motion& motion, const Motion* next, bool first);
   void make_hole(DrilledHole& hole);
@@ -59,8 +62,7 @@ struct Engine::State {
   [[nodiscard]] Compensated uncompensated(const Motion& motion) const;
   // What waits goes out as if nothing followed.
   void finish() {
-    window.end();
-    report_made();
+    make_waiting(nullptr);
     stopped = true;
   }
   // Runs `work`, and ends the run if it raises an alarm or cannot decide.
@@ -75,7 +77,7 @@ struct Engine::State {
   ToolChecks checks;
   FaceMilling face;
   PeripheralRules peripheral;
-  Window<Planned> window;
+  std::optional<Planned> waiting;          // a motion of peripheral milling, for the motion that follows it
   bool on = false;                         // the last motion was compensated by peripheral milling
   std::optional<LateralDirection> former;  // made last, since the first compensated block
   Place current;                           // the block being executed
@@ -131,36 +133,44 @@ void Engine::State::run(const spec::klartext::Block& block) {
   if (ends) finish();
 }
 
-void Engine::State::plan(Motion motion) {
+void Engine::State::plan(Motion&& motion) {
   std::optional<FaceContact> contact;
   if (motion.normal)
     contact = face.check(motion);
   else if (motion.vectors || motion.is_peripheral())
     checks.without_normal(motion);
   if (!contact) face.forget();
-  motion.clauses = recorder.take_clauses();
-  window.push({std::move(motion), std::move(contact), {}});
-  report_made();
+  take({std::move(motion), std::move(contact), {}});
 }
 
 // A motion as any under R0, for whatever waits for one.
 void Engine::State::plan(const DrilledHole& hole) {
   face.forget();
-  window.push({hole.motion, {}, hole});
-  window.back().motion.clauses = recorder.take_clauses();
-  report_made();
+  take({hole.motion, {}, hole});
 }
 
-void Engine::State::report_made() {
-  while (!window.empty()) {
-    const bool waits = window.front().is_peripheral() && window.following() == 0;
-    if (waits && !window.ended()) return;
-    const Motion* const next = window.following() == 0 ? nullptr : &window.after(0).motion;
-    Planned now = window.pop();
-    recorder.at(now.motion.line);
-    recorder.resume(std::move(now.motion.clauses));
-    make(now, next);
+void Engine::State::take(Planned&& coming) {
+  Motion& motion = coming.motion;
+  if (waiting) {
+    motion.clauses = recorder.take_clauses();
+    make_waiting(&motion);
+    go_back_to(motion);
   }
+  if (!coming.is_peripheral()) return make(coming, nullptr);
+  motion.clauses = recorder.take_clauses();
+  waiting = std::move(coming);
+}
+
+void Engine::State::make_waiting(const Motion* next) {
+  auto now = std::exchange(waiting, std::nullopt);
+  if (!now) return;
+  go_back_to(now->motion);
+  make(*now, next);
+}
+
+void Engine::State::go_back_to(Motion& motion) {
+  recorder.at(motion.line);
+  recorder.resume(std::move(motion.clauses));
 }
 
 void Engine::State::make(Planned& now, const Motion* next) {
@@ -206,7 +216,6 @@ void Engine::State::make_peripheral(Motion& motion, const Motion* next, bool fir
     alarm.line = motion.line;
     alarm.n = motion.n;
     alarm.unmade = unmade(motion);
-    window.clear();
     throw;
   }
   if (next == nullptr || !next->is_peripheral()) former.reset();

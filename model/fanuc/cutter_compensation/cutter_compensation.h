@@ -22,6 +22,7 @@ class CutterCompensation : public Pass {
   // From the first G41, G42 or G39 of a program on.
   void read(const BlockWords& now, StepWords& words) final;
   void see(const BlockWay& way, StepWords& words) const final;
+  [[nodiscard]] bool has(const StepWords& words) const final { return words.cutter != nullptr; }
 
  protected:
   // With this side and this number in force compensation is on, unless a vector holds it on anyway.

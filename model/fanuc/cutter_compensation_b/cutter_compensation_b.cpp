@@ -30,12 +30,12 @@ class CutterCompensationB : public CutterCompensation {
 
   [[nodiscard]] int look_ahead() const override { return 0; }
   [[nodiscard]] bool on() const override { return side_ != CutterSide::none; }
-  void take(Step step) override { taken_ = std::move(step); }
+  void take(OwnedStep step) override { taken_ = std::move(step); }
   void end() override {}
   // Throws Alarm PS0038.
-  std::optional<Step> next() override {
-    std::optional<Step> step = std::exchange(taken_, std::nullopt);
-    if (!step || !step->words.cutter) return step;
+  OwnedStep next() override {
+    OwnedStep step = std::move(taken_);
+    if (!step) return step;
     run(*step);
     side_ = step->words.cutter->side;
     step->clauses.add(recorder().take_clauses());
@@ -201,7 +201,7 @@ class CutterCompensationB : public CutterCompensation {
     keep(step);
   }
 
-  std::optional<Step> taken_;
+  OwnedStep taken_;
   spec::Axes axes_;
   CutterBRules rules_;
   CutterSide side_ = CutterSide::none;  // group 07 in force

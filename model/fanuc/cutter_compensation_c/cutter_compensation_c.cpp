@@ -8,12 +8,12 @@
 #include <utility>
 
 #include "model/basis/alarm.h"
-#include "model/basis/window.h"
 #include "model/fanuc/cutter_compensation/cutter_compensation.h"
 #include "model/fanuc/cutter_compensation_c/mode.h"
 #include "model/fanuc/cutter_compensation_c/rules.h"
 #include "model/fanuc/passes/corner_moves.h"
 #include "model/fanuc/passes/interference_check.h"
+#include "model/fanuc/passes/window.h"
 #include "model/fanuc/program/blocks_read.h"
 #include "model/geometry/arc.h"
 #include "spec/language/setup.h"
@@ -68,32 +68,31 @@ class CutterCompensationC final : public CutterCompensation {
   [[nodiscard]] bool on() const override { return mode_.is_on_or_asked_for(); }
   // In the mode: it is then an arc without a sweep, and PS0038.
   [[nodiscard]] bool takes_arc_about_its_start(const Command& command) const override { return on_after(command); }
-  void take(Step step) override {
-    CutterPlan plan;
-    if (step.words.cutter) plan = mode_.next(*step.words.cutter, step);
-    step.clauses.add(recorder().take_clauses());
+  void take(OwnedStep step) override {
+    CutterPlan plan = mode_.next(*step->words.cutter, *step);
+    step->clauses.add(recorder().take_clauses());
     window_.push({std::move(step), std::move(plan)});
   }
 
   void end() override { window_.end(); }
-  std::optional<Step> next() override {
-    if (window_.empty()) return std::nullopt;
+  OwnedStep next() override {
+    if (window_.empty()) return nullptr;
     Ahead ahead;
     if (looks_ahead(window_.front())) {
       ahead = look();
-      if (ahead.kind == Ahead::Kind::unknown) return std::nullopt;
+      if (ahead.kind == Ahead::Kind::unknown) return nullptr;
     }
     Planned now = window_.pop();
-    recorder().at(now.step.line);
+    recorder().at(now.step->line);
     make_moves(now, ahead);
-    now.step.clauses.add(recorder().take_clauses());
-    tool_.place = now.step.rest;
+    now.step->clauses.add(recorder().take_clauses());
+    tool_.place = now.step->rest;
     return std::move(now.step);
   }
 
  private:
   struct Planned {
-    Step step;
+    OwnedStep step;
     CutterPlan plan;
   };
   // What follows a block.
@@ -129,7 +128,7 @@ class CutterCompensationC final : public CutterCompensation {
       raise(recorder(), Clause::fanuc_cutter_c_start_or_cancel_in_arc, AlarmCause::arc_at_start_or_cancel);
   }
 
-  [[nodiscard]] const CutterBlock& block_of(const Planned& b) const { return *b.step.words.cutter; }
+  [[nodiscard]] const CutterBlock& block_of(const Planned& b) const { return *b.step->words.cutter; }
 
   void check_corner_arc(const CutterBlock& words) const {
     const bool other_number = words.number_given && words.number != words.number_before;
@@ -164,7 +163,7 @@ class CutterCompensationC final : public CutterCompensation {
   [[nodiscard]] Ahead look() const {
     using Kind = Ahead::Kind;
     const Planned& a = window_.front();
-    if (stops_reading(block_of(a), a.step))
+    if (stops_reading(block_of(a), *a.step))
       return {.kind = Kind::none, .why = Clause::fanuc_cutter_c_look_ahead_stopped};
     bool repeated = false;
     int count = 0;
@@ -174,7 +173,7 @@ class CutterCompensationC final : public CutterCompensation {
       repeated = repeated || block.repeats_code();
       if (makes_corner(b.plan.part)) return {Kind::next, &b, repeated, count > 0, {}};
       // A reference return is a case of fanuc.cutter-c.no-next-block, whether reading stops there or not.
-      if (stops_reading(block, b.step) && block.motion != PlaneMotion::reference)
+      if (stops_reading(block, *b.step) && block.motion != PlaneMotion::reference)
         return {.kind = Kind::none, .why = Clause::fanuc_cutter_c_look_ahead_stopped};
       if (b.plan.shifts) return {.kind = Kind::loses_vector};
       if (b.plan.part != CutterPart::idle && b.plan.part != CutterPart::lone_start)
@@ -193,13 +192,13 @@ class CutterCompensationC final : public CutterCompensation {
       case CutterPart::free:
         break;
       case CutterPart::idle:
-        at_head(now.step, tool_.heads.front());
+        at_head(*now.step, tool_.heads.front());
         break;
       case CutterPart::outside_axes:
         // fanuc.cutter-c.outside-axes-only: A block with G53, G28, G30, G30.1 or G29 that names only axes outside the
         // plane keeps the vector. The block before ends with P1, and the next moving block starts from that vector.
         recorder().reach(Clause::fanuc_cutter_c_outside_axes_only);
-        at_head(now.step, tool_.heads.front());
+        at_head(*now.step, tool_.heads.front());
         break;
       case CutterPart::lone_start:
         lone_start(now, ahead);
@@ -245,9 +244,9 @@ class CutterCompensationC final : public CutterCompensation {
     // given; the block before it runs to the first head of its own group.
     if (checked.passage == Passage::blocked)
       raise_at(a, Clause::fanuc_cutter_c_interference_alarm, AlarmCause::interference, checked.crossing);
-    end_at(a.step.moves.front(), at_end.front(), run ? &*run : nullptr, checked.passage);
-    if (a.plan.part == CutterPart::start_up) a.step.moves.front().leg.cause = spec::Cause::start_up;
-    insert_corner_moves(a.step, block_of(a), tool_);
+    end_at(a.step->moves.front(), at_end.front(), run ? &*run : nullptr, checked.passage);
+    if (a.plan.part == CutterPart::start_up) a.step->moves.front().leg.cause = spec::Cause::start_up;
+    insert_corner_moves(*a.step, block_of(a), tool_);
     tool_.heads = std::move(at_end);
     here_ = path.end.heading;
   }
@@ -305,8 +304,8 @@ class CutterCompensationC final : public CutterCompensation {
     recorder().decide(Clause::fanuc_cutter_c_start_without_motion_move, block.axis_word && !ignored);
     // Beside G52 and G92 the only move there can be is that of the length offset (clause
     // fanuc.cutter-c.workpiece-change).
-    if (now.plan.changes && is_shift(block.one_shot)) now.step.moves.clear();
-    change_alone(now.step, cause, now.plan.changes);
+    if (now.plan.changes && is_shift(block.one_shot)) now.step->moves.clear();
+    change_alone(*now.step, cause, now.plan.changes);
   }
 
   void lone_start(Planned& now, const Ahead& ahead) {
@@ -325,7 +324,7 @@ class CutterCompensationC final : public CutterCompensation {
     } else {
       recorder().reach(Clause::fanuc_cutter_c_start_without_next_block);
     }
-    at_head(now.step, tool_.heads.front());
+    at_head(*now.step, tool_.heads.front());
   }
 
   // G40 or number 0.
@@ -338,10 +337,10 @@ class CutterCompensationC final : public CutterCompensation {
     // at the programmed point; the cause is cancel.
     recorder().reach(now.plan.part == CutterPart::cancel ? Clause::fanuc_cutter_c_cancel
                                                          : Clause::fanuc_cutter_c_cancel_by_zero_travel);
-    Move& own = now.step.moves.front();
+    Move& own = now.step->moves.front();
     own.offset = {};
     own.leg.cause = spec::Cause::cancel;
-    insert_corner_moves(now.step, block_of(now), tool_);
+    insert_corner_moves(*now.step, block_of(now), tool_);
     tool_.stand({});
   }
 
@@ -355,7 +354,7 @@ class CutterCompensationC final : public CutterCompensation {
     const bool removes = recorder().decide(Clause::fanuc_cutter_c_suv, suv_);
     if (removes) at_once(now, spec::Cause::cancel);
     if (removes || !now.plan.changes) tool_.stand({});
-    at_head(now.step, tool_.heads.front());
+    at_head(*now.step, tool_.heads.front());
   }
 
   // G39: an arc about the corner.
@@ -379,12 +378,12 @@ class CutterCompensationC final : public CutterCompensation {
         window_.clear();
         LeftOpen open(Clause::fanuc_cutter_c_corner_arc_without_next_block,
                       "two blocks without motion after a G39 without direction");
-        open.line = now.step.line;
-        open.n = now.step.n;
+        open.line = now.step->line;
+        open.n = now.step->n;
         throw LeftOpen(open);
       }
     }
-    at_head(now.step, tool_.heads.front());
+    at_head(*now.step, tool_.heads.front());
   }
 
   // From the vector in force, which is square to its heading, to the one square to another.
@@ -407,8 +406,8 @@ class CutterCompensationC final : public CutterCompensation {
     const Sign side = recorder().decide(Clause::fanuc_cutter_c_corner_arc, sine, here_.length * to.length);
     const CutterBlock& block = block_of(now);
     if (side != Sign::zero || cosine.sign() != Sign::positive) {
-      if (now.step.moves.empty()) now.step.moves.push_back(now.step.rest);
-      Leg& leg = now.step.moves.front().leg;
+      if (now.step->moves.empty()) now.step->moves.push_back(now.step->rest);
+      Leg& leg = now.step->moves.front().leg;
       leg.type = spec::MoveType::arc;
       leg.cause = spec::Cause::corner;
       spec::Arc<Real>& path = leg.arc.emplace();
@@ -436,7 +435,7 @@ class CutterCompensationC final : public CutterCompensation {
   void machine_move(Planned& now) {
     const CutterBlock& block = block_of(now);
     const bool reference = block.motion == PlaneMotion::reference;
-    std::vector<Move>& moves = now.step.moves;
+    std::vector<Move>& moves = now.step->moves;
     if (now.plan.part == CutterPart::vector_goes) {
       // fanuc.cutter-c.reference-return: If CCN = 0, if G40 or number 0 is in force, or after a lone G40, the block
       // before a G28, G30 or G30.1 of the plane ends with P1, and the vector is removed on the way to the intermediate
@@ -446,7 +445,7 @@ class CutterCompensationC final : public CutterCompensation {
       recorder().reach(reference ? Clause::fanuc_cutter_c_reference_return : Clause::fanuc_cutter_c_machine_position);
     } else if (now.plan.part == CutterPart::way_to_intermediate) {
       moves.front().offset = in_space(block.plane, perpendicular(now.plan.path.end));
-      insert_corner_moves(now.step, block, tool_);
+      insert_corner_moves(*now.step, block, tool_);
     } else {
       moves.front().offset = tool_.heads.front().vector;
     }
@@ -459,7 +458,7 @@ class CutterCompensationC final : public CutterCompensation {
   // The alarm names this block, and nothing of it is given.
   [[noreturn]] void raise_at(const Planned& now, Clause clause, AlarmCause cause, const Real& crossing) {
     recorder().reach(clause);
-    const Alarm alarm = geometry_alarm(now.step, axes_, cause, crossing);
+    const Alarm alarm = geometry_alarm(*now.step, axes_, cause, crossing);
     window_.clear();
     throw Alarm(alarm);
   }

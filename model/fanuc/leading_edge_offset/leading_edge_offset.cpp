@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "model/basis/alarm.h"
-#include "model/basis/window.h"
 #include "model/fanuc/leading_edge_offset/rules.h"
+#include "model/fanuc/passes/window.h"
 #include "model/fanuc/program/pass.h"
 
 namespace toolcomp::model {
@@ -77,43 +77,42 @@ class LeadingEdgeOffset : public Pass {
     words.edge = std::move(block);
   }
 
-  void take(Step step) override {
+  [[nodiscard]] bool has(const StepWords& words) const override { return words.edge != nullptr; }
+  void take(OwnedStep step) override {
     // A block with N or O alone is no block and makes nothing. It is not kept while another waits.
-    if (!step.has_word && !window_.empty()) return;
+    if (!step->has_word && !window_.empty()) return;
     Planned b{std::move(step)};
-    if (b.step.words.edge) {
-      b.code = b.step.words.edge->code;
-      if (b.code != EdgeBlock::Code::none) active_ = b.code == EdgeBlock::Code::start;
-      // fanuc.leading-edge.no-movement: A block counts as one without movement if its travel in X Y Z is exactly zero:
-      // rotary axes alone, a tool direction alone, M S T F H alone, a travel of zero. A block with N or O alone is no
-      // block.
-      if (b.code == EdgeBlock::Code::none)
-        b.travels = !recorder().decide(Clause::fanuc_leading_edge_no_movement,
-                                       b.step.moves.empty() || is_zero(b.step.moves.front().leg.travel));
-      b.step.clauses.add(recorder().take_clauses());
-    }
+    b.code = b.step->words.edge->code;
+    if (b.code != EdgeBlock::Code::none) active_ = b.code == EdgeBlock::Code::start;
+    // fanuc.leading-edge.no-movement: A block counts as one without movement if its travel in X Y Z is exactly zero:
+    // rotary axes alone, a tool direction alone, M S T F H alone, a travel of zero. A block with N or O alone is no
+    // block.
+    if (b.code == EdgeBlock::Code::none)
+      b.travels = !recorder().decide(Clause::fanuc_leading_edge_no_movement,
+                                     b.step->moves.empty() || is_zero(b.step->moves.front().leg.travel));
+    b.step->clauses.add(recorder().take_clauses());
     window_.push(std::move(b));
   }
 
   void end() override { window_.end(); }
   // Throws Alarm PS5407 or PS5408 of a G41.3 block.
-  std::optional<Step> next() override {
-    if (window_.empty()) return std::nullopt;
+  OwnedStep next() override {
+    if (window_.empty()) return nullptr;
     const Planned& front = window_.front();
     Coming coming;
     if (front.code == EdgeBlock::Code::start || front.travels) {
       coming = what_comes();
-      if (coming.kind == Coming::Kind::unknown) return std::nullopt;
+      if (coming.kind == Coming::Kind::unknown) return nullptr;
     }
     Planned b = window_.pop();
-    recorder().at(b.step.line);
+    recorder().at(b.step->line);
     make_moves(b, coming);
     return std::move(b.step);
   }
 
  private:
   struct Planned {
-    Step step;
+    OwnedStep step;
     EdgeBlock::Code code = EdgeBlock::Code::none;
     bool travels = false;  // it has a linear movement, X Y Z
   };
@@ -166,7 +165,7 @@ class LeadingEdgeOffset : public Pass {
       const Planned& b = window_.after(i);
       if (b.travels) return {Kind::moves, &b, i > 0, {}};
       if (starts) return {Kind::none};
-      if (b.step.stops_look_ahead)
+      if (b.step->stops_look_ahead)
         return {.kind = Kind::none, .why = Clause::fanuc_leading_edge_kept_without_look_ahead};
       if (b.code == EdgeBlock::Code::cancel) return {Kind::cancels};
       if (++still == 2) return {.kind = Kind::none, .why = Clause::fanuc_leading_edge_two_blocks_without_movement};
@@ -179,36 +178,35 @@ class LeadingEdgeOffset : public Pass {
     switch (b.code) {
       case EdgeBlock::Code::start:
         vector_ = vector_at_start(b, coming);
-        insert_move(b.step, spec::Cause::start_up);
+        insert_move(*b.step, spec::Cause::start_up);
         break;
       case EdgeBlock::Code::cancel:
         // fanuc.leading-edge.cancel: At G40 the tool returns by the vector to the programmed point, in rapid traverse
         // under G00, otherwise straight with the feed. G40 while nothing is on does nothing.
         recorder().reach(Clause::fanuc_leading_edge_cancel);
         vector_ = {};
-        insert_move(b.step, spec::Cause::cancel);
+        insert_move(*b.step, spec::Cause::cancel);
         break;
       case EdgeBlock::Code::none:
         if (b.travels) vector_ = vector_at_end(b, coming);
         break;
     }
-    b.step.clauses.add(recorder().take_clauses());
-    if (b.step.words.edge)
-      for (Move& move : b.step.moves) move.offset = vector_.vector;
+    b.step->clauses.add(recorder().take_clauses());
+    for (Move& move : b.step->moves) move.offset = vector_.vector;
   }
 
   [[nodiscard]] EdgeVector vector_at_end(const Planned& b, const Coming& coming) const {
     switch (coming.kind) {
       case Coming::Kind::moves:
         recorder().decide(Clause::fanuc_leading_edge_one_block_without_movement, coming.between);
-        return rules_.next(vector_, coming.next->step.moves.front().leg.travel, b.step.rest.tool,
-                           b.step.words.edge->radius);
+        return rules_.next(vector_, coming.next->step->moves.front().leg.travel, b.step->rest.tool,
+                           b.step->words.edge->radius);
       case Coming::Kind::cancels:
         // fanuc.leading-edge.before-cancel: The block before G40 makes its vector from its own movement and the tool
         // direction at its end. That the ranges near 0, 90 and 180 degrees hold here too, and that one block without
         // movement may come between, is our definition.
         recorder().reach(Clause::fanuc_leading_edge_before_cancel);
-        return rules_.next(vector_, b.step.moves.front().leg.travel, b.step.rest.tool, b.step.words.edge->radius);
+        return rules_.next(vector_, b.step->moves.front().leg.travel, b.step->rest.tool, b.step->words.edge->radius);
       default:
         recorder().reach(coming.why);
         return vector_;
@@ -221,10 +219,10 @@ class LeadingEdgeOffset : public Pass {
       // linear movement: no travel in X Y Z, G40, the end of the program, or a block that raises an alarm of its own.
       if (coming.kind != Coming::Kind::moves)
         raise(recorder(), Clause::fanuc_leading_edge_no_movement_after_start, AlarmCause::leading_edge_command);
-      return rules_.first(coming.next->step.moves.front().leg.travel, b.step.rest.tool, b.step.words.edge->radius);
+      return rules_.first(coming.next->step->moves.front().leg.travel, b.step->rest.tool, b.step->words.edge->radius);
     } catch (Alarm& alarm) {
-      alarm.line = b.step.line;
-      alarm.n = b.step.n;
+      alarm.line = b.step->line;
+      alarm.n = b.step->n;
       window_.clear();
       throw;
     }

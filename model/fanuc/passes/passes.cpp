@@ -37,18 +37,19 @@ void Passes::see(const BlockWay& way, StepWords& words) const {
   for (const auto& pass : passes_) pass->see(way, words);
 }
 
-std::optional<Step> Passes::next_of(std::size_t count) {
-  if (count == 0) return std::exchange(made_, std::nullopt);
+OwnedStep Passes::next_of(std::size_t count) {
+  if (count == 0) return std::move(made_);
   Pass& last = *passes_[count - 1];
   for (;;) {
     if (auto step = last.next()) return step;
     auto step = next_of(count - 1);
-    if (!step && !ended_) return std::nullopt;
+    if (!step && !ended_) return nullptr;
     if (!step) {
       last.end();
       return last.next();
     }
-    last.take(std::move(*step));
+    if (!last.has(step->words)) return step;
+    last.take(std::move(step));
   }
 }
 

@@ -37,18 +37,18 @@ class Passes {
   void see(const BlockWay& way, StepWords& words) const;
 
   // The next block of the program. It is planned when next() asks for it, so an alarm of planning comes from there.
-  void put(Step step) { made_ = std::move(step); }
+  void put(OwnedStep step) { made_ = std::move(step); }
   // No block follows.
   void end() { ended_ = true; }
   // The next step that has gone through all passes; nothing as long as one of them waits for other blocks.
-  std::optional<Step> next() { return next_of(passes_.size()); }
+  OwnedStep next() { return next_of(passes_.size()); }
 
  private:
   // Through the first `count` passes.
-  std::optional<Step> next_of(std::size_t count);
+  OwnedStep next_of(std::size_t count);
 
   std::vector<std::unique_ptr<Pass>> passes_;
-  std::optional<Step> made_;
+  OwnedStep made_;
   bool ended_ = false;
 };
 

@@ -43,7 +43,7 @@ struct BlockWay {
   std::function<Direction(const Position&)> tool_at;
 };
 
-// One of them at most is on; the others hand on what they take.
+// One of them at most is on.
 class Pass {
  public:
   struct Place {
@@ -75,13 +75,15 @@ class Pass {
   virtual void read(const BlockWords& now, StepWords& words) = 0;
   // Its way is known.
   virtual void see(const BlockWay& /*way*/, StepWords& /*words*/) const {}
-  // Plans the block. Throws Alarm or LeftOpen, and the block is then not taken.
-  virtual void take(Step step) = 0;
+  // Whether the block is one for this pass. Before one that is not, nothing waits in it.
+  [[nodiscard]] virtual bool has(const StepWords& words) const = 0;
+  // Plans a block for this pass. Throws Alarm or LeftOpen, and the block is then not taken.
+  virtual void take(OwnedStep step) = 0;
   // No block follows: the end of the program, or a block that ends the run.
   virtual void end() = 0;
   // The next block with its moves; nothing as long as it has to wait for others. An Alarm or LeftOpen without a line is
   // one of the block taken last. With a line it belongs to an earlier block, and nothing is left.
-  virtual std::optional<Step> next() = 0;
+  virtual OwnedStep next() = 0;
 
  protected:
   [[nodiscard]] Recorder& recorder() const { return recorder_; }

@@ -97,5 +97,7 @@ struct Step {
   std::optional<Alarm> alarm;            // that shows by its motion, once its moves are made
   spec::ClauseList clauses;
 };
+// From pass to pass: a step is large.
+using OwnedStep = std::unique_ptr<Step>;
 
 }  // namespace toolcomp::model

@@ -16,9 +16,9 @@
 
 #include "model/basis/alarm.h"
 #include "model/basis/number.h"
-#include "model/basis/window.h"
 #include "model/fanuc/passes/corner_moves.h"
 #include "model/fanuc/passes/interference_check.h"
+#include "model/fanuc/passes/window.h"
 #include "model/fanuc/program/blocks_read.h"
 #include "model/fanuc/program/pass.h"
 #include "model/fanuc/tool_side_compensation/checked_side_path.h"
@@ -74,29 +74,27 @@ class ToolSideCompensation final : public Pass {
   void see(const BlockWay& way, StepWords& words) const override {
     if (words.side) words.side->add_place(way);
   }
-  void take(Step step) override {
-    SidePlan plan;
-    if (step.words.side) {
-      if (step.stops_look_ahead) make_without_next(step.line);
-      plan = mode_.next(*step.words.side, step);
-    }
-    step.clauses.add(recorder().take_clauses());
-    step.warning = plan.warning;
+  [[nodiscard]] bool has(const StepWords& words) const override { return words.side != nullptr; }
+  void take(OwnedStep step) override {
+    if (step->stops_look_ahead) make_without_next(step->line);
+    SidePlan plan = mode_.next(*step->words.side, *step);
+    step->clauses.add(recorder().take_clauses());
+    step->warning = plan.warning;
     window_.push({std::move(step), std::move(plan)});
   }
 
   void end() override { window_.end(); }
-  std::optional<Step> next() override {
+  OwnedStep next() override {
     while (made_.empty())
-      if (!make_next()) return std::nullopt;
-    Step step = std::move(made_.front());
+      if (!make_next()) return nullptr;
+    OwnedStep step = std::move(made_.front());
     made_.pop_front();
     return step;
   }
 
  private:
   struct Planned {
-    Step step;
+    OwnedStep step;
     SidePlan plan;
   };
   // What follows a block that makes a vector.
@@ -178,7 +176,7 @@ class ToolSideCompensation final : public Pass {
       if (ahead.kind == Ahead::Kind::unknown) return false;
     }
     Planned b = window_.pop();
-    recorder().at(b.step.line);
+    recorder().at(b.step->line);
     make_moves(b, ahead);
     return true;
   }
@@ -209,7 +207,7 @@ class ToolSideCompensation final : public Pass {
     int count = 0;
     for (std::size_t i = 0; i < window_.following(); ++i) {
       const Planned& b = window_.after(i);
-      repeated = repeated || b.step.words.side->repeats_code();
+      repeated = repeated || b.step->words.side->repeats_code();
       if (const SideEnd* const start = b.plan.start_at(number)) return {Kind::next, &b, start, repeated, count > 0, {}};
       const bool must_follow = window_.front().plan.part == SidePart::lone_start;
       if (b.plan.cancels || must_follow) return {.kind = Kind::none, .why = Clause::fanuc_tool_side_no_next_block};
@@ -251,20 +249,20 @@ class ToolSideCompensation final : public Pass {
     // the tool there, or shorter than 19630 as seen there. The block ends with the last vector at its start, and the
     // next block that moves at its own end starts from that vector, without a corner.
     if (b.plan.moves_behind()) recorder().reach(Clause::fanuc_tool_side_along_the_tool_at_its_end);
-    b.step.clauses.add(recorder().take_clauses());
+    b.step->clauses.add(recorder().take_clauses());
     if (!waiting_.empty() && !b.plan.leaves_corner) {
       waiting_.push_back(std::move(b.step));
       return;
     }
     flush();
-    run_at_last_head(b.step);
+    run_at_last_head(std::move(b.step));
     // The head is no longer one of the corner where the vector was made.
     if (b.plan.leaves_corner) tool_.stand({tool_.heads.front().vector});
   }
 
-  void run_at_last_head(Step& step) {
-    at_head(step, tool_.heads.back());
-    if (!step.moves.empty()) insert_corner_moves(step, *step.words.side, tool_);
+  void run_at_last_head(OwnedStep step) {
+    at_head(*step, tool_.heads.back());
+    if (!step->moves.empty()) insert_corner_moves(*step, *step->words.side, tool_);
     made_.push_back(std::move(step));
   }
 
@@ -285,7 +283,7 @@ class ToolSideCompensation final : public Pass {
     // given; the block before it runs to the first head of its own group.
     if (checked.passage == Passage::blocked)
       raise_at(a, Clause::fanuc_cutter_c_interference_alarm, AlarmCause::interference, checked.crossing);
-    Step& step = a.step;
+    Step& step = *a.step;
     step.clauses.add(recorder().take_clauses());
     flush();
     end_at(step.moves.front(), at_end.front(), run ? &*run : nullptr, checked.passage);
@@ -294,7 +292,7 @@ class ToolSideCompensation final : public Pass {
     insert_corner_moves(step, *step.words.side, tool_);
     tool_ = {std::move(at_end), step.rest};
     plane_ = plan.plane;
-    waiting_.push_back(std::move(step));
+    waiting_.push_back(std::move(a.step));
     if (tool_.heads.size() == 1) flush();
   }
 
@@ -321,7 +319,7 @@ class ToolSideCompensation final : public Pass {
                    .repeated = ahead.repeated,
                    .distance = a.plan.offset.distance,
                    .next = next.path};
-    if (!given.starts && !given.cancels) given.treatment = a.step.words.side->treatment.value_or(0);
+    if (!given.starts && !given.cancels) given.treatment = a.step->words.side->treatment.value_or(0);
     // fanuc.cutter-c.value-at-a-corner: A new number or value counts for the vectors at the end of the moving block
     // that has it, or, if that block does not move, at the end of the next moving block.
     if (!given.cancels)
@@ -350,9 +348,9 @@ class ToolSideCompensation final : public Pass {
     recorder().reach(Clause::fanuc_tool_side_start_type_c);
     plane_ = b.plan.plane;
     tool_.heads = square_to_latter(plane_, *ahead.start);
-    change_alone(b.step, spec::Cause::start_up, b.plan.changes);
-    b.step.clauses.add(recorder().take_clauses());
-    run_at_last_head(b.step);
+    change_alone(*b.step, spec::Cause::start_up, b.plan.changes);
+    b.step->clauses.add(recorder().take_clauses());
+    run_at_last_head(std::move(b.step));
   }
 
   // G40 or number 0.
@@ -362,10 +360,10 @@ class ToolSideCompensation final : public Pass {
     // programmed end; the cause is cancel.
     recorder().reach(Clause::fanuc_tool_side_cancel);
     flush();
-    insert_corner_moves(b.step, *b.step.words.side, tool_);
-    b.step.moves.back().leg.cause = spec::Cause::cancel;
+    insert_corner_moves(*b.step, *b.step->words.side, tool_);
+    b.step->moves.back().leg.cause = spec::Cause::cancel;
     tool_.stand({});
-    b.step.clauses.add(recorder().take_clauses());
+    b.step->clauses.add(recorder().take_clauses());
     made_.push_back(std::move(b.step));
   }
 
@@ -383,20 +381,20 @@ class ToolSideCompensation final : public Pass {
     // PS0034.
     recorder().reach(removes ? Clause::fanuc_tool_side_cancel_type_c : Clause::fanuc_tool_side_cancel_without_movement);
     if (b.plan.leaves_corner) recorder().reach(Clause::fanuc_tool_side_along_the_tool_at_its_end);
-    b.step.clauses.add(recorder().take_clauses());
+    b.step->clauses.add(recorder().take_clauses());
     flush();
-    if (removes) change_alone(b.step, spec::Cause::cancel, b.plan.changes);
+    if (removes) change_alone(*b.step, spec::Cause::cancel, b.plan.changes);
     if (removes || !b.plan.changes) tool_.stand({});
-    run_at_last_head(b.step);
+    run_at_last_head(std::move(b.step));
     if (b.plan.leaves_corner) tool_.stand({tool_.heads.front().vector});
   }
 
   // The vectors at which the block that waits ends are final. The corner moves up to the stop point belong to it.
   void flush() {
     if (waiting_.empty()) return;
-    append_corner_moves(waiting_.front(), tool_);
+    append_corner_moves(*waiting_.front(), tool_);
     made_.push_back(std::move(waiting_.front()));
-    for (std::size_t i = 1; i < waiting_.size(); ++i) run_at_last_head(waiting_[i]);
+    for (std::size_t i = 1; i < waiting_.size(); ++i) run_at_last_head(std::move(waiting_[i]));
     waiting_.clear();
   }
 
@@ -404,7 +402,7 @@ class ToolSideCompensation final : public Pass {
   [[noreturn]] void raise_at(const Planned& b, Clause clause, AlarmCause cause, const Real& crossing) {
     flush();
     recorder().reach(clause);
-    const Alarm alarm = geometry_alarm(b.step, axes_, cause, crossing);
+    const Alarm alarm = geometry_alarm(*b.step, axes_, cause, crossing);
     window_.clear();
     throw Alarm(alarm);
   }
@@ -423,9 +421,9 @@ class ToolSideCompensation final : public Pass {
   Window<Planned> window_;
   bool stopped_ = false;  // nothing is read beyond the window before it has run
   Standing tool_;
-  CompensationPlane plane_;    // in which the vectors were made at which the tool stands
-  std::vector<Step> waiting_;  // the block that ends there, and those without a vector after it
-  std::deque<Step> made_;      // in order
+  CompensationPlane plane_;         // in which the vectors were made at which the tool stands
+  std::vector<OwnedStep> waiting_;  // the block that ends there, and those without a vector after it
+  std::deque<OwnedStep> made_;      // in order
 };
 
 }  // namespace

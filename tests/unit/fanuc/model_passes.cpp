@@ -37,7 +37,8 @@ class Witness : public model::Pass {
   [[nodiscard]] bool on_after(const model::Command& command) const override { return command.axes != 0; }
   void read(const model::BlockWords& /*now*/, model::StepWords& /*words*/) override { note(" reads"); }
   void see(const model::BlockWay& /*way*/, model::StepWords& /*words*/) const override { note(" sees the way"); }
-  void take(model::Step step) override {
+  [[nodiscard]] bool has(const model::StepWords& /*words*/) const override { return true; }
+  void take(model::OwnedStep step) override {
     note(" takes");
     steps_.push_back(std::move(step));
   }
@@ -45,16 +46,16 @@ class Witness : public model::Pass {
     if (!ended_) note(" ends");
     ended_ = true;
   }
-  std::optional<model::Step> next() override {
-    if (steps_.empty() || (Holds && !ended_)) return std::nullopt;
-    model::Step step = std::move(steps_.front());
+  model::OwnedStep next() override {
+    if (steps_.empty() || (Holds && !ended_)) return nullptr;
+    model::OwnedStep step = std::move(steps_.front());
     steps_.pop_front();
     return step;
   }
 
  private:
   static void note(const char* what) { asked().push_back(std::string(1, Name) + what); }
-  std::deque<model::Step> steps_;
+  std::deque<model::OwnedStep> steps_;
   bool ended_ = false;
 };
 
@@ -77,12 +78,12 @@ class ModelPasses : public ::testing::Test {
   // A block through the passes as the engine leads it.
   void lead(model::Passes& through, std::string_view line) {
     const model::Command command = read(line);
-    model::Step step;
+    auto step = std::make_unique<model::Step>();
     const model::BlockWords now{command, interpreter, false};
-    through.read(model::Extent::space, now, step.words);
-    through.read(model::Extent::plane, now, step.words);
+    through.read(model::Extent::space, now, step->words);
+    through.read(model::Extent::plane, now, step->words);
     const std::vector<model::Leg> legs;
-    through.see({{}, legs, [](const model::Position&) { return model::Direction(); }}, step.words);
+    through.see({{}, legs, [](const model::Position&) { return model::Direction(); }}, step->words);
     through.put(std::move(step));
     drain(through);
   }
