@@ -49,6 +49,12 @@ class LeftOpen : public std::exception {
   throw LeftOpen(clause, message);
 }
 
+// The block is absent for those before it, and the clause stands alone: the run applies it at its end.
+[[noreturn]] inline void leave_open_alone(Recorder& recorder, Clause clause, const char* message) {
+  recorder.take_clauses();
+  throw LeftOpen(clause, message);
+}
+
 // Applies the clause that states the alarm, and raises it.
 [[noreturn]] inline void raise(Recorder& recorder, Clause clause, AlarmCause cause, const char* more = nullptr) {
   recorder.reach(clause);

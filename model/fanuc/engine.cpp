@@ -8,7 +8,6 @@
 #include "model/fanuc/passes/passes.h"
 #include "model/fanuc/program/offset_memory.h"
 #include "model/fanuc/reporter.h"
-#include "model/fanuc/sections.h"
 #include "model/fanuc/step_maker.h"
 #include "spec/language/input_error.h"
 

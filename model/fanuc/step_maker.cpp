@@ -31,7 +31,7 @@ OwnedStep StepMaker::make(const spec::Block& block, Passes& passes) {
   cycles_.read(command);
   interpreter_.require_feed(command);
   auto step = std::make_unique<Step>();
-  Making now{command, passes, {}, false, {}, {}, false, *step};
+  Making now{command, passes, *step};
   now.step.line = block.line;
   now.step.n = block.n;
   read_words(now);
@@ -41,7 +41,7 @@ OwnedStep StepMaker::make(const spec::Block& block, Passes& passes) {
   arrive(now);
   add_rest(now);
   complete(now);
-  write_offset(now.step);
+  write_offset(now);
   return step;
 }
 
@@ -62,7 +62,7 @@ void StepMaker::read_words(Making& now) {
   if (command.codes.writes_origin)
     interpreter_.write_origins(command);
   else if (command.codes.one_shot == OneShot::data)
-    pending_write_ = memory_.read_write(command.words, interpreter_.numbers(), command.incremental);
+    now.write = memory_.read_write(command.words, interpreter_.numbers(), command.incremental);
 }
 
 void StepMaker::check_cycle(Making& now) {
@@ -71,13 +71,8 @@ void StepMaker::check_cycle(Making& now) {
   try {
     cycles_.check(now.command, {space.before || plane.before, space.after, plane.after});
   } catch (const LeftOpen& open) {
-    leave_open_here(open);
+    leave_open_alone(recorder_, open.clause, open.message);
   }
-}
-
-void StepMaker::leave_open_here(const LeftOpen& open) {
-  recorder_.take_clauses();
-  throw LeftOpen(open.clause, open.message);
 }
 
 void StepMaker::find_legs(Making& now) {
@@ -85,7 +80,7 @@ void StepMaker::find_legs(Making& now) {
   std::vector<Leg>& legs = now.legs;
   const TipMarks& tip = now.tip;
   if (shifts_system_) shift_system(now);
-  legs = interpreter_.legs(command, tip.directed, tip.starts, now.passes.takes_arc_about_its_start(command));
+  legs = interpreter_.legs(command, tip.directed, tip.starts, now.passes.in_force(Extent::plane, command).after);
   const Leg start = tool_offset_.shifted(interpreter_.stay(command));
   if (command.cycle.on)
     tool_offset_.store_number(command.codes);
@@ -119,8 +114,8 @@ void StepMaker::shift_system(Making& now) {
   if (now.plan.on_way.axis == before.axis) return;
   recorder_.decide(Clause::fanuc_length_offset_shifted_system, true);
   if (now.compensates)
-    leave_open_here({Clause::fanuc_length_offset_shifted_in_compensation,
-                     "a length offset shifts the coordinate system while a compensation is on"});
+    leave_open_alone(recorder_, Clause::fanuc_length_offset_shifted_in_compensation,
+                     "a length offset shifts the coordinate system while a compensation is on");
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     const Rational change = now.plan.on_way.axis.at(i) - before.axis.at(i);
     if (change != 0) interpreter_.stand(i, interpreter_.position().at(i) - Coordinate(change));
@@ -151,7 +146,7 @@ void StepMaker::measure(Making& now) {
   const MeasurementStart start{now.plan.at_end.axis.at(axis), tool_offset_.shift(axis), length_.minus()};
   Measurement measured = measurement_.measure(now.command, interpreter_.position(), now.legs.front(), start);
   if (measured.in_zone)
-    pending_write_ = memory_.measured(length_.number(), measured.difference);
+    now.write = memory_.measured(length_.number(), measured.difference);
   else
     now.step.alarm = Alarm(AlarmCause::no_signal);
   now.legs = std::move(measured.legs);
@@ -241,11 +236,10 @@ void StepMaker::complete(Making& now) {
 }
 
 // What the block writes counts from the next one on.
-void StepMaker::write_offset(Step& step) {
-  if (!pending_write_) return;
-  step.setting = memory_.write(*pending_write_);
-  step.setting->clauses = recorder_.take_clauses();
-  pending_write_.reset();
+void StepMaker::write_offset(Making& now) {
+  if (!now.write) return;
+  now.step.setting = memory_.write(*now.write);
+  now.step.setting->clauses = recorder_.take_clauses();
 }
 
 }  // namespace toolcomp::model

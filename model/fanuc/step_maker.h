@@ -43,12 +43,13 @@ class StepMaker {
   struct Making {
     const Command& command;
     Passes& passes;
-    TipMarks tip;
-    bool compensates = false;  // by radius, before or after it
-    std::vector<Leg> legs;
-    LengthPlan plan;
-    bool machine = false;  // its moves have machine coordinates
     Step& step;
+    TipMarks tip = {};
+    bool compensates = false;  // by radius, before or after it
+    std::vector<Leg> legs = {};
+    LengthPlan plan = {};
+    bool machine = false;                   // its moves have machine coordinates
+    std::optional<OffsetWrite> write = {};  // of a G10 or G37 block
   };
 
   // In this order; the alarms of a command are found in the first three.
@@ -60,11 +61,9 @@ class StepMaker {
   void arrive(Making& now);
   void add_rest(Making& now);
   void complete(Making& now);
-  void write_offset(Step& step);
+  void write_offset(Making& now);
   // A block in the drilling mode of canned cycles, where its words allow it.
   void check_cycle(Making& now);
-  // The specification leaves the block open, by this clause alone.
-  [[noreturn]] void leave_open_here(const LeftOpen& open);
 
   // The move of a leg, with what the length offset and the tool say about its end.
   [[nodiscard]] Move move(const Leg& leg, const LengthVector& offset, const ToolAtEnd& tool, bool machine) const;
@@ -84,7 +83,6 @@ class StepMaker {
   ToolLengthOffset length_;
   ToolOffset tool_offset_;
   ToolLengthMeasurement measurement_;
-  std::optional<OffsetWrite> pending_write_;  // of a G10 or G37 block, until its step is made
 };
 
 }  // namespace toolcomp::model

@@ -210,10 +210,6 @@ const std::vector<KnowsSection>& known_sections() {
   const std::string offsets = "no stage: they are part of where the axes are";
   const std::string contour = "what is programmed, a contour or a tool, counts in both";
   static const std::vector<KnowsSection> kKnown{
-      {"model/fanuc/sections.cpp", "model/fanuc/leading_edge_offset", registry},
-      {"model/fanuc/sections.cpp", "model/fanuc/cutter_compensation_b", registry},
-      {"model/fanuc/sections.cpp", "model/fanuc/cutter_compensation_c", registry},
-      {"model/fanuc/sections.cpp", "model/fanuc/tool_side_compensation", registry},
       {"model/fanuc/cutter_compensation_b", "model/fanuc/cutter_compensation", "B and C have the same words"},
       {"model/fanuc/cutter_compensation_c", "model/fanuc/cutter_compensation", "B and C have the same words"},
       {"model/fanuc/step_maker.h", "model/fanuc/tool_offset", adds},

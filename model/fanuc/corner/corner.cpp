@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/fanuc/corner/corner.h"
 
-#include "model/basis/event.h"
-
 namespace toolcomp::model {
 
 CornerClass classify(Recorder& recorder, const PathEnd& former, const PathEnd& latter) {
@@ -38,29 +36,6 @@ bool is_under_one_degree(Recorder& recorder, const Real& cross2, const Real& dot
   // makes a difference only at a start-up and at a cancel with SUP = 1. The vector is then P2 at start-up and P1 at
   // cancel, as with type A. For the tangent of 1 degree the decimal given is used.
   return recorder.decide(Clause::fanuc_cutter_c_under_one_degree, ahead2 - cross2, ahead2 + cross2) == Sign::positive;
-}
-
-PlanePoint perpendicular(const PathEnd& end) { return (end.offset / end.heading.length) * left(end.heading.along); }
-
-// ρ (N1 + N2) / (1 + k) with N = left(t) / |t| and k = t1·t2 / (|t1| |t2|).
-PlanePoint tangents_meet(const PathEnd& former, const PathEnd& latter) {
-  const Heading& a = former.heading;
-  const Heading& b = latter.heading;
-  const Real denominator = a.length * b.length + dot(a.along, b.along);
-  if (denominator.sign() == Sign::zero) throw NotFinite();  // a reversal comes here only if its class is forced
-  return (former.offset / denominator) * left(b.length * a.along + a.length * b.along);
-}
-
-PlanePoint prolonged(const PathEnd& former) {
-  const Rational reach = abs(former.offset);
-  const Heading& t = former.heading;
-  return (1 / t.length) * (former.offset * left(t.along) + reach * t.along);
-}
-
-PlanePoint begun_before(const PathEnd& latter) {
-  const Rational reach = abs(latter.offset);
-  const Heading& t = latter.heading;
-  return (1 / t.length) * (latter.offset * left(t.along) - reach * t.along);
 }
 
 }  // namespace toolcomp::model

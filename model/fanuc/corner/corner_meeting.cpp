@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where two offset paths meet.
-#include "model/basis/event.h"
 #include "model/fanuc/corner/corner.h"
 
 namespace toolcomp::model {
@@ -16,16 +15,6 @@ Real root(const Real& radicand) {
 Real side(Sign decided) {
   if (decided == Sign::zero) throw NotFinite();  // only a forced outcome comes here
   return static_cast<int>(decided);
-}
-
-// ρ1 (N1 + N2) / (1 + k) on one side of both, ρ1 (N1 - N2) / (1 - k) where the side changes.
-PlanePoint lines_meet(const PathEnd& former, const PathEnd& latter) {
-  if (former.offset == latter.offset) return tangents_meet(former, latter);
-  const Heading& a = former.heading;
-  const Heading& b = latter.heading;
-  const Real denominator = a.length * b.length - dot(a.along, b.along);
-  if (denominator.sign() == Sign::zero) throw NotFinite();  // only a forced turn comes here
-  return (former.offset / denominator) * left(b.length * a.along - a.length * b.along);
 }
 
 // The line's offset line ρN + s·t against the offset circle: s = s0 - sgn(s0) √(R'² - h²), where s0 and h + ρ are the
@@ -96,7 +85,7 @@ std::optional<PlanePoint> paths_meet(Recorder& recorder, const PathEnd& former, 
   if (former.is_arc() && latter.is_arc()) return circles_meet(recorder, former, latter);
   if (latter.is_arc()) return line_meets_circle(recorder, former, latter);
   if (former.is_arc()) return line_meets_circle(recorder, latter, former);
-  return lines_meet(former, latter);
+  return tangents_meet(tangent(former), tangent(latter));
 }
 
 }  // namespace toolcomp::model

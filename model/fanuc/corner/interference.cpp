@@ -20,14 +20,18 @@ bool sweeps_far_apart(Recorder& recorder, ToolArcRun& run) {
                          run.radii()) == Sign::positive;
 }
 
+// What is left of the vectors: at the start those up to this one, at the end those from this one on.
+void leave(SpaceGroup& at_start, SpaceGroup& at_end, std::size_t from, std::size_t to) {
+  at_start.resize(from + 1);
+  at_end.erase(at_end.begin(), at_end.begin() + static_cast<std::ptrdiff_t>(to));
+}
+
 // Not less than the length, and cheap.
 Real bound(const PlanePoint& vector) {
   Real sum;
   for (const Real& component : vector) sum += component.sign() == Sign::negative ? -component : component;
   return sum;
 }
-
-}  // namespace
 
 bool arc_interferes(Recorder& recorder, const PathEnd& start, const PathEnd& end, ToolArcRun& run) {
   // fanuc.cutter-c.interference-radius: An arc block interferes, in the pair q = 0, if the offset is larger than its
@@ -43,52 +47,71 @@ bool arc_interferes(Recorder& recorder, const PathEnd& start, const PathEnd& end
   return sweeps_far_apart(recorder, run);
 }
 
+// By how much the offset is larger than the radius: at the start, or where it is not, at the end; 0: at neither.
 Real excess(const PathEnd& start, const PathEnd& end) {
   for (const PathEnd* at : {&start, &end})
     if (offset_radius(*at) == Sign::negative) return -at->radius();
   return {};
 }
 
+}  // namespace
+
 // The tool's path against the programmed one.
-bool line_interferes(Recorder& recorder, const OffsetPath& path, const PlanePoint& from, const PlanePoint& to) {
+WayAlong way_along(const OffsetPath& path, const PlanePoint& from, const PlanePoint& to) {
   const Real length2 = path.is_arc() ? squared_norm(path.travel) : path.start.heading.length2;
   const Real length = path.is_arc() ? sqrt(length2) : path.start.heading.length;
-  const Real along = length2 + dot(path.travel, to - from);
-  const Real scale = length * (length + bound(from) + bound(to));
-  // fanuc.cutter-c.interference-direction: A straight block interferes if the tool's direction differs from the
-  // programmed one by more than 90 degrees. Exactly 90 degrees, and a tool that does not move, are no interference
-  // (ours).
-  return recorder.decide(Clause::fanuc_cutter_c_interference_direction, along, scale) == Sign::negative;
+  return {length2 + dot(path.travel, to - from), length * (length + bound(from) + bound(to)), length2};
 }
 
-// The pairs from the inside outwards until one does not interfere.
-Passage remove_interference(Recorder& recorder, SpaceGroup& at_start, SpaceGroup& at_end, const Interferes& interferes,
-                            bool drops) {
-  Passage passage = Passage::free;
+// fanuc.cutter-c.interference-at-once: With No. 5008 bit 3, CNV, at 1, cutter compensation C on series 30i drops no
+// vector. The first pair with interference is then the last one, so PS0041 comes at once. On series 16i the bit means
+// nothing.
+// fanuc.cutter-c.interference-without-alarm: With No. 5008 bit 1, CNC, at 1, cutter compensation C raises no alarm if
+// the last pair interferes because the directions differ by 90 to 270 degrees (fanuc.cutter-c.interference-direction).
+// The block then runs between the vectors that are left.
+// fanuc.cutter-c.interference-straightened: An arc block that has interfered in its first pair is a straight block from
+// then on. The next pairs are tested as for a line from P to Q. The block's own move is linear, from the last vector
+// left at its start to the first vector left at its end, with the block's feed; the cause is programmed.
+Checked check_interference(Recorder& recorder, const InterferenceRules& rules, const CheckedPath& path,
+                           SpaceGroup& at_start, SpaceGroup& at_end, ToolArcRun* run) {
   std::size_t from = at_start.size() - 1;
   std::size_t to = 0;
-  for (std::size_t pairs = drops ? std::max(at_start.size(), at_end.size()) : 1; pairs > 0; --pairs) {
-    const bool first = passage == Passage::free;
+  bool by_direction = run == nullptr;
+  WayAlong way;
+  const auto interferes = [&] {
+    if (!by_direction) return arc_interferes(recorder, path.start, path.end, *run);
+    way = path.along(at_start[from].vector, at_end[to].vector);
+    // fanuc.cutter-c.interference-direction: A straight block interferes if the tool's direction differs from the
+    // programmed one by more than 90 degrees. Exactly 90 degrees, and a tool that does not move, are no interference
+    // (ours).
+    return recorder.decide(Clause::fanuc_cutter_c_interference_direction, way.product, way.scale) == Sign::negative;
+  };
+  const std::size_t pairs = rules.keeps_vectors ? 1 : std::max(at_start.size(), at_end.size());
+  for (std::size_t q = 0; q < pairs; ++q) {
+    if (q > 0) {
+      by_direction = true;
+      if (from > 0) --from;
+      if (to + 1 < at_end.size()) ++to;
+    }
+    const bool found = interferes();
+    if (q == 0 && found && rules.by_parameters)
+      recorder.decide(Clause::fanuc_cutter_c_interference_at_once, rules.keeps_vectors);
     // fanuc.cutter-c.interference-pairs: The check tests pairs of a vector at the start and a vector at the end of the
     // block, from the innermost pair outward. For q = 0, 1, …, max(m, n) - 1 the pair is number max(m - q, 1) of V and
     // number min(1 + q, n) of W, with m and n as at the beginning. The first pair without interference ends the check.
-    if (!recorder.decide(Clause::fanuc_cutter_c_interference_pairs, interferes(first, at_start[from], at_end[to]))) {
-      at_start.resize(from + 1);
-      at_end.erase(at_end.begin(), at_end.begin() + static_cast<std::ptrdiff_t>(to));
-      return passage;
-    }
-    passage = Passage::shortened;
-    if (from > 0) --from;
-    if (to + 1 < at_end.size()) ++to;
+    if (recorder.decide(Clause::fanuc_cutter_c_interference_pairs, found)) continue;
+    if (q == 0) return {};
+    recorder.decide(Clause::fanuc_cutter_c_interference_straightened, run != nullptr);
+    leave(at_start, at_end, from, to);
+    return {Passage::shortened, {}};
   }
-  return Passage::blocked;
-}
-
-Passage leave_outer_vectors(SpaceGroup& at_start, SpaceGroup& at_end) {
-  if (at_start.size() == 1 && at_end.size() == 1) return Passage::free;
-  at_start.resize(1);
-  at_end.erase(at_end.begin(), at_end.end() - 1);
-  return Passage::shortened;
+  if (!by_direction || !rules.by_parameters ||
+      !recorder.decide(Clause::fanuc_cutter_c_interference_without_alarm, rules.no_alarm))
+    return {Passage::blocked, by_direction ? -way.product / sqrt(way.length2) : excess(path.start, path.end)};
+  if (pairs == 1) return {};
+  recorder.decide(Clause::fanuc_cutter_c_interference_straightened, run != nullptr);
+  leave(at_start, at_end, 0, at_end.size() - 1);
+  return {Passage::shortened, {}};
 }
 
 }  // namespace toolcomp::model

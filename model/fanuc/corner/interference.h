@@ -16,23 +16,38 @@ enum class Passage : std::uint8_t {
   blocked     // the last pair interferes too: PS0041
 };
 
-// Whether a block interferes between two vectors; the first time they are the inner ones.
-using Interferes = std::function<bool(bool first, const SpaceVector& from, const SpaceVector& to)>;
-// Drops vectors, the last ones at the start and the first ones at the end of a block, until it does not interfere; at
-// each end one vector stays. Nothing is dropped where the block is blocked; without `drops` it is by its first pair.
-// Clause: fanuc.cutter-c.interference-pairs.
-Passage remove_interference(Recorder& recorder, SpaceGroup& at_start, SpaceGroup& at_end, const Interferes& interferes,
-                            bool drops = true);
-// Of a blocked block that runs all the same: between the outermost vectors.
-Passage leave_outer_vectors(SpaceGroup& at_start, SpaceGroup& at_end);
+// What parameters say of the check.
+struct InterferenceRules {
+  bool by_parameters = false;  // they concern the section
+  bool keeps_vectors = false;  // the first pair that interferes is the last one
+  bool no_alarm = false;       // where the tool goes against the programmed direction
+};
 
-// Whether an arc interferes, of which the radii are taken at its ends and the sweeps of `run`. Clauses:
-// fanuc.cutter-c.interference-radius, interference-sweep.
-bool arc_interferes(Recorder& recorder, const PathEnd& start, const PathEnd& end, ToolArcRun& run);
-// Whether a path interferes, taken as a line from end to end. Clause: fanuc.cutter-c.interference-direction.
-bool line_interferes(Recorder& recorder, const OffsetPath& path, const PlanePoint& from, const PlanePoint& to);
-// By how much the offset of an arc is larger than its radius, setup units: at its start, or where it is not, at its
-// end; 0: at neither.
-Real excess(const PathEnd& start, const PathEnd& end);
+// How far the tool goes along a block, times the length of the block as it is seen, and against what that is measured.
+struct WayAlong {
+  Real product;
+  Real scale;
+  Real length2;
+};
+
+// How a section sees its block.
+struct CheckedPath {
+  PathEnd start;  // of an arc
+  PathEnd end;
+  // As a line, between two vectors.
+  std::function<WayAlong(const Vector& from, const Vector& to)> along;
+};
+// In a plane, between the vectors there.
+WayAlong way_along(const OffsetPath& path, const PlanePoint& from, const PlanePoint& to);
+
+// Drops vectors, the last ones at the start and the first ones at the end of a block, until it does not interfere; at
+// each end one vector stays. `run`: of an arc, between the inner vectors. `crossing`: of a blocked one, by how much its
+// paths cross, setup units; 0 where the sweep of an arc interferes. Clauses: fanuc.cutter-c.interference-*.
+struct Checked {
+  Passage passage = Passage::free;
+  Real crossing;
+};
+Checked check_interference(Recorder& recorder, const InterferenceRules& rules, const CheckedPath& path,
+                           SpaceGroup& at_start, SpaceGroup& at_end, ToolArcRun* run);
 
 }  // namespace toolcomp::model

@@ -47,9 +47,8 @@ OffsetPath arc_path(const ArcEnds& arc, const Rational& offset_at_start, const R
 }
 
 Sign decide_offset_radius(Recorder& recorder, Clause clause, const PathEnd& end) {
-  const Rational offset2 = end.offset * end.offset;
-  if (grows(end)) return recorder.decide(clause, end.heading.length2 + offset2, end.heading.length2 + offset2);
-  return recorder.decide(clause, radius_difference(end), end.heading.length2 + offset2);
+  const Real scale = end.heading.length2 + end.offset * end.offset;
+  return recorder.decide(clause, grows(end) ? scale : radius_difference(end), scale);
 }
 
 Sign offset_radius(const PathEnd& end) { return grows(end) ? Sign::positive : radius_difference(end).sign(); }

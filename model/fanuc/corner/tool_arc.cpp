@@ -61,8 +61,9 @@ const Sweep& ToolArcRun::sweep() {
   return *sweep_;
 }
 
-ToolArc ToolArcRun::arc() {
-  ToolArc arc;
+void ToolArcRun::report(spec::Arc<Real>& arc) {
+  arc.sweep.reset();
+  arc.radius.reset();
   // On one circle the squares are one number, which needs no proof; of such heads too.
   const bool one_circle = start_on_ && end_on_ && path_.one_radius && path_.start.offset == path_.end.offset;
   const Real growth = one_circle || heads_ != HeadPair::any ? Real(0) : end2_ - start2_;
@@ -72,10 +73,9 @@ ToolArc ToolArcRun::arc() {
   if (recorder_.decide(Clause::fanuc_cutter_c_arc_radii, growth, end2_ + start2_) != Sign::zero)
     arc.radius = {distance(start_on_, path_.start, start2_, start_sign_),
                   distance(end_on_, path_.end, end2_, end_sign_)};
-  if (in_center()) return arc;
+  if (in_center()) return;
   const Sweep& turned = sweep();
   arc.sweep = swept_angle(turned.sine, turned.cosine, turned.side);
-  return arc;
 }
 
 }  // namespace toolcomp::model

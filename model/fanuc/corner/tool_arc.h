@@ -4,19 +4,13 @@
 
 #include <cstdint>
 #include <optional>
-#include <utility>
 
 #include "model/basis/recorder.h"
 #include "model/fanuc/corner/offset_path.h"
 #include "model/fanuc/corner/vector_group.h"
+#include "spec/language/event.h"
 
 namespace toolcomp::model {
-
-// As an event reports it.
-struct ToolArc {
-  std::optional<Real> sweep;                    // degrees, over 0 up to 360; absent where a head lies in the centre
-  std::optional<std::pair<Real, Real>> radius;  // at start and end, where they differ
-};
 
 // Sine and cosine of a sweep up to one positive factor, and its side of the half circle: the sign of the sine.
 struct Sweep {
@@ -52,8 +46,8 @@ class ToolArcRun {
   [[nodiscard]] Sweep programmed() const;
   // The product of the four radii, for scales.
   [[nodiscard]] Real radii() const;
-  // Clause: fanuc.cutter-c.arc-radii.
-  ToolArc arc();
+  // Sweep and radii of the tool's own arc, as an event reports them. Clause: fanuc.cutter-c.arc-radii.
+  void report(spec::Arc<Real>& arc);
 
  private:
   Recorder& recorder_;

@@ -34,44 +34,34 @@ struct SpaceVector {
   bool after_stop = false;  // the tool gets there behind the single-block stop point
 };
 using SpaceGroup = std::vector<SpaceVector>;
-// The stop point is the first head.
-SpaceGroup in_space(spec::Plane plane, const VectorGroup& group);
-
-// P1 and P2 alone: at right angles to the former, to the latter block.
-CornerVector square_to_former(const PathEnd& former);
-CornerVector square_to_latter(const PathEnd& latter);
-
-// The way round an outer corner: P1 where it is asked for; along the tangents, by the two prolonged vectors of an acute
-// corner or the one where the tangents meet; P2 where it is asked for. `Corner` gives the vectors, as PathCorner does.
-template <class Group, class Corner>
-Group way_round(CornerClass kind, const Corner& corner, bool with_p1, bool with_p2) {
-  Group group;
-  group.reserve(4);
-  if (with_p1) group.push_back({corner.square_to_former(), Seat::square, Seat::off});
-  if (kind == CornerClass::acute) {
-    group.push_back({corner.prolonged(), Seat::off, Seat::off});
-    group.push_back({corner.begun_before(), Seat::off, Seat::off});
-  } else {
-    group.push_back({corner.tangents_meet(), Seat::off, Seat::off});
-  }
-  if (with_p2) group.push_back({corner.square_to_latter(), Seat::off, Seat::square});
-  return group;
+inline SpaceGroup in_space(spec::Plane plane, const VectorGroup& group) {
+  SpaceGroup result;
+  for (const CornerVector& v : group) result.push_back({in_space(plane, v.vector), v.former, v.latter});
+  return result;
 }
 
-// The vectors of a corner of the plane (corner.h). Refers to its ends.
-struct PathCorner {
-  const PathEnd& former;
-  const PathEnd& latter;
+// P1 and P2 alone: at right angles to the former, to the latter block.
+inline CornerVector square_to_former(const PathEnd& former) { return {perpendicular(former), Seat::square, Seat::off}; }
+inline CornerVector square_to_latter(const PathEnd& latter) { return {perpendicular(latter), Seat::off, Seat::square}; }
 
-  [[nodiscard]] PlanePoint square_to_former() const { return perpendicular(former); }
-  [[nodiscard]] PlanePoint prolonged() const { return model::prolonged(former); }
-  [[nodiscard]] PlanePoint begun_before() const { return model::begun_before(latter); }
-  [[nodiscard]] PlanePoint tangents_meet() const { return model::tangents_meet(former, latter); }
-  [[nodiscard]] PlanePoint square_to_latter() const { return perpendicular(latter); }
-};
+// The way round an outer corner: P1 where it is asked for; along the tangents, by the two prolonged vectors of an acute
+// corner or the one where the tangents meet; P2 where it is asked for.
+template <class Group, class V>
+Group way_round(CornerClass kind, const Tangent<V>& former, const Tangent<V>& latter, bool with_p1, bool with_p2) {
+  Group group;
+  if (with_p1) group.push_back({perpendicular(former), Seat::square, Seat::off});
+  if (kind == CornerClass::acute) {
+    group.push_back({prolonged(former)});
+    group.push_back({begun_before(latter)});
+  } else {
+    group.push_back({tangents_meet(former, latter)});
+  }
+  if (with_p2) group.push_back({perpendicular(latter), Seat::off, Seat::square});
+  return group;
+}
 inline VectorGroup way_round(CornerClass kind, const PathEnd& former, const PathEnd& latter, bool with_p1,
                              bool with_p2) {
-  return way_round<VectorGroup>(kind, PathCorner{former, latter}, with_p1, with_p2);
+  return way_round<VectorGroup>(kind, tangent(former), tangent(latter), with_p1, with_p2);
 }
 
 }  // namespace toolcomp::model

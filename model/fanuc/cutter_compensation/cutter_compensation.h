@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include "model/fanuc/cutter_compensation/cutter_block.h"
-#include "model/fanuc/cutter_compensation/cutter_words.h"
 #include "model/fanuc/program/pass.h"
 
 namespace toolcomp::model {
@@ -15,7 +14,8 @@ namespace toolcomp::model {
 // fanuc.cutter.on.
 class CutterCompensation : public Pass {
  public:
-  explicit CutterCompensation(const Place& place);
+  // `by_number`: number 0 in force is as G40.
+  CutterCompensation(const Place& place, bool by_number);
 
   [[nodiscard]] Extent extent() const final { return Extent::plane; }
   [[nodiscard]] bool on_after(const Command& command) const final;
@@ -26,16 +26,20 @@ class CutterCompensation : public Pass {
 
  protected:
   // With this side and this number in force compensation is on, unless a vector holds it on anyway.
-  [[nodiscard]] virtual bool wanted(CutterSide side, std::uint32_t number) const = 0;
+  [[nodiscard]] bool wanted(CutterSide side, std::uint32_t number) const {
+    return side != CutterSide::none && (number != 0 || !by_number_);
+  }
   [[nodiscard]] bool wanted(const CutterBlock& words) const { return wanted(words.side, words.number); }
-  // The alarms that the words of a block raise, before its movement and the value of its number are known: first
-  // check_common().
-  virtual void check(const CutterBlock& words) const = 0;
-  // The alarms that B and C share. Throws Alarm PS0028, PS0037, FORBIDDEN_IN_CUTTER_COMPENSATION or PS0042.
-  void check_common(const CutterBlock& words) const;
+  // The alarms that the words of a block raise, behind those that B and C share, before its movement and the value of
+  // its number are known.
+  virtual void check(const CutterBlock& words, const Command& command) const = 0;
 
  private:
-  CutterWords words_;
+  // Throws Alarm PS0028, PS0037, FORBIDDEN_IN_CUTTER_COMPENSATION or PS0042.
+  void check_common(const CutterBlock& words, const Command& command) const;
+
+  CornerWords words_;
+  bool by_number_;
 };
 
 }  // namespace toolcomp::model

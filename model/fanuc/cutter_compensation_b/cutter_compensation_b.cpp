@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cutter compensation B: G40, G41, G42 and G39.
-#include "model/fanuc/cutter_compensation_b/cutter_compensation_b.h"
-
+#include <bit>
 #include <optional>
 #include <utility>
 
 #include "model/basis/alarm.h"
 #include "model/fanuc/cutter_compensation/cutter_compensation.h"
 #include "model/fanuc/cutter_compensation_b/rules.h"
+#include "model/fanuc/passes/passes.h"
 #include "model/geometry/plane_vector.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::model {
 namespace {
-
-bool changes_number(const CutterBlock& words) { return words.number_given && words.number != words.number_before; }
 
 // Sweep and radii of the tool's own arc.
 void run_on(spec::Arc<Real>& arc, const HeadArc& way) {
@@ -25,8 +23,7 @@ void run_on(spec::Arc<Real>& arc, const HeadArc& way) {
 // Every block by itself, without look-ahead: the tool goes from head to head. Clauses: fanuc.cutter-b.*.
 class CutterCompensationB : public CutterCompensation {
  public:
-  explicit CutterCompensationB(const Place& place)
-      : CutterCompensation(place), axes_(place.setup.axes), rules_(place.recorder) {}
+  explicit CutterCompensationB(const Place& place) : CutterCompensation(place, false) {}
 
   [[nodiscard]] int look_ahead() const override { return 0; }
   [[nodiscard]] bool on() const override { return side_ != CutterSide::none; }
@@ -43,18 +40,15 @@ class CutterCompensationB : public CutterCompensation {
   }
 
  private:
-  [[nodiscard]] bool wanted(CutterSide side, std::uint32_t /*number*/) const override {
-    return side != CutterSide::none;
-  }
-  // Throws Alarm PS0028, PS0037, FORBIDDEN_IN_CUTTER_COMPENSATION, PS0042, PS0035 or PS0034.
-  void check(const CutterBlock& words) const override {
-    check_common(words);
-    if (words.one_shot == OneShot::corner_arc) check_corner_arc(words);
+  // Throws Alarm PS0035 or PS0034.
+  void check(const CutterBlock& words, const Command& command) const override {
+    if (words.one_shot == OneShot::corner_arc) check_corner_arc(words, command);
     if (words.arc_words) check_arc(words);
   }
 
-  void check_corner_arc(const CutterBlock& words) const {
-    const bool forbidden = words.code || changes_number(words) || words.axis_word_outside;
+  void check_corner_arc(const CutterBlock& words, const Command& command) const {
+    const bool outside = std::popcount(command.axes) > int{words.word[0]} + int{words.word[1]};
+    const bool forbidden = words.code || words.changes_number() || outside;
     // fanuc.cutter-b.corner-arc-format: G39 raises PS0035 while the mode is off or no start-up has been made; with G40,
     // G41, G42 or a word that gives the cutter another number in its block; with an axis word outside the plane; with a
     // direction that is zero or missing.
@@ -71,7 +65,7 @@ class CutterCompensationB : public CutterCompensation {
       raise(recorder(), Clause::fanuc_cutter_b_arc_with_code, AlarmCause::arc_at_start_or_cancel);
     // fanuc.cutter-b.arc-with-number: In a block that is an arc while the mode is on, a word that gives the cutter
     // another number than the one in force raises PS0034.
-    if (is_on && changes_number(words))
+    if (is_on && words.changes_number())
       raise(recorder(), Clause::fanuc_cutter_b_arc_with_number, AlarmCause::arc_at_start_or_cancel);
     // fanuc.cutter-b.arc-at-start-up: An arc as the first block that would make a vector (the start-up) raises PS0034.
     if (is_on && !started_)
@@ -98,30 +92,22 @@ class CutterCompensationB : public CutterCompensation {
       recorder().decide(Clause::fanuc_cutter_b_switch, block.side != block.before);
     // fanuc.cutter-b.number-changed: A new number while the mode is on counts for the next vector that is made, which
     // is in the same block if that block is a straight one. A vector that is kept keeps its length.
-    if (on() && block.number_given) recorder().decide(Clause::fanuc_cutter_b_number_changed, changes_number(block));
+    if (on() && block.number_given) recorder().decide(Clause::fanuc_cutter_b_number_changed, block.changes_number());
     if (block.one_shot == OneShot::corner_arc) {
       corner_arc(step);
       return;
     }
-    switch (block.motion) {
-      case PlaneMotion::none:
-        // fanuc.cutter-b.kept: A block that has no axis word of the plane and is not an arc keeps the vector, whatever
-        // else it moves. I, J and K in it mean nothing.
-        recorder().reach(Clause::fanuc_cutter_b_kept);
-        keep(step);
-        break;
-      case PlaneMotion::zero_travel:
-      case PlaneMotion::line:
-        line(step);
-        break;
-      case PlaneMotion::arc:
-        arc(step);
-        break;
-      case PlaneMotion::machine_coordinates:
-      case PlaneMotion::reference:
-      case PlaneMotion::from_reference:
-        machine_position(step);
-        break;
+    if (is_machine_move(block.motion)) {
+      machine_position(step);
+    } else if (block.motion == PlaneMotion::arc) {
+      arc(step);
+    } else if (block.motion != PlaneMotion::none) {
+      line(step);
+    } else {
+      // fanuc.cutter-b.kept: A block that has no axis word of the plane and is not an arc keeps the vector, whatever
+      // else it moves. I, J and K in it mean nothing.
+      recorder().reach(Clause::fanuc_cutter_b_kept);
+      keep(step);
     }
   }
 
@@ -132,20 +118,18 @@ class CutterCompensationB : public CutterCompensation {
   // G40: the vector goes at once, in the block's own move or in one back to the programmed point.
   void cancel(Step& step) {
     const CutterBlock& block = *step.words.cutter;
-    const Removal removal = rules_.removal(block, started_, vector_);
+    const Removal removal = model::removal(recorder(), block, started_, vector_);
     // Beside G52 and G92 the only move there can be is that of the length offset.
     if (removal == Removal::alone && (step.moves.empty() || is_shift(block.one_shot))) step.moves = {step.rest};
     vector_ = {};
     started_ = false;
     // Machine and reference positions keep the causes of their moves.
-    const bool by_path = block.motion == PlaneMotion::none || block.motion == PlaneMotion::zero_travel ||
-                         block.motion == PlaneMotion::line || block.motion == PlaneMotion::arc;
-    if (removal != Removal::none && by_path)
+    if (removal != Removal::none && !is_machine_move(block.motion))
       for (Move& move : step.moves) move.leg.cause = spec::Cause::cancel;
   }
 
   void line(Step& step) {
-    if (const auto made = rules_.at_end_of_line(*step.words.cutter)) {
+    if (const auto made = vector_of_line(recorder(), *step.words.cutter)) {
       vector_ = *made;
       if (!std::exchange(started_, true)) {
         // fanuc.cutter-b.start-up: The first vector made after the mode began, or after G28, G29, G30, G30.1 or G53
@@ -160,17 +144,17 @@ class CutterCompensationB : public CutterCompensation {
 
   void arc(Step& step) {
     const CutterBlock& block = *step.words.cutter;
-    const PlanePoint& center = block.arc->center;
-    const PlanePoint from = block.start + vector_ - center;
-    vector_ = rules_.at_end_of_arc(block);
+    const PlanePoint from = block.arc->start + vector_;
+    vector_ = vector_of_arc(recorder(), block);
     keep(step);
-    run_on(*step.moves.front().leg.arc, rules_.head_to_head(block.arc_direction, from, block.end - center + vector_));
+    spec::Arc<Real>& arc = *step.moves.front().leg.arc;
+    run_on(arc, head_to_head(recorder(), arc.direction, from, block.arc->end + vector_));
   }
 
   // G39: about the programmed point, from the old vector to the new one.
   void corner_arc(Step& step) {
     const CutterBlock& block = *step.words.cutter;
-    const CornerArcOfB made = rules_.corner_arc(block, vector_);
+    const CornerArcOfB made = corner_arc_of_b(recorder(), block, vector_);
     vector_ = made.vector;
     if (made.moves) {
       Move move = step.rest;
@@ -182,7 +166,7 @@ class CutterCompensationB : public CutterCompensation {
       const PlaneLetters in_plane = letters(block.plane);
       const Vector center = in_space(block.plane, block.start);
       for (const char letter : {in_plane.first, in_plane.second})
-        arc.center.set(axes_.index(letter), component(center, space_index(letter)));
+        arc.center.set(setup().axes.index(letter), component(center, space_index(letter)));
       run_on(arc, made.way);
       step.moves = {std::move(move)};
     }
@@ -202,8 +186,6 @@ class CutterCompensationB : public CutterCompensation {
   }
 
   OwnedStep taken_;
-  spec::Axes axes_;
-  CutterBRules rules_;
   CutterSide side_ = CutterSide::none;  // group 07 in force
   bool started_ = false;                // the start-up is made
   PlanePoint vector_;                   // in force

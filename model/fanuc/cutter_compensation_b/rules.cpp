@@ -2,16 +2,28 @@
 #include "model/fanuc/cutter_compensation_b/rules.h"
 
 #include "model/basis/alarm.h"
+#include "model/geometry/arc.h"
 #include "model/geometry/plane_vector.h"
 
 namespace toolcomp::model {
 namespace {
 
-Rational magnitude(const Rational& value) { return value < 0 ? Rational(-value) : value; }
-
 // Of this length to the left, at right angles to `direction`, which is not zero.
 PlanePoint across(const Rational& length, const PlanePoint& direction) {
   return Real(length) / sqrt(squared_norm(direction)) * left(direction);
+}
+
+// The offset value to the left of the path, with its sign.
+//
+// fanuc.cutter-b.number-zero: Number 0 is a number of the value 0: vectors of length 0 are made with it, the start-up
+// included. D0 does not cancel the mode.
+// fanuc.cutter.side: G41 with a positive value and G42 with a negative value offset to the left of the movement, and
+// the other two cases to the right. A negative value thus exchanges G41 and G42.
+Rational to_the_left(Recorder& recorder, const CutterBlock& block) {
+  recorder.decide(Clause::fanuc_cutter_b_number_zero, block.number == 0);
+  const Rational length = block.side == CutterSide::left ? block.offset : -block.offset;
+  recorder.decide(Clause::fanuc_cutter_side, length, abs(length));
+  return length;
 }
 
 }  // namespace
@@ -20,37 +32,26 @@ PlanePoint across(const Rational& length, const PlanePoint& direction) {
 // vector at its end. The vector is as long as the offset value and at right angles to a direction, to the left of it
 // under G41, to the right under G42. The direction is that of I J K if the block has them, otherwise that of its own
 // travel in the plane.
-std::optional<PlanePoint> CutterBRules::at_end_of_line(const CutterBlock& block) const {
+std::optional<PlanePoint> vector_of_line(Recorder& recorder, const CutterBlock& block) {
   PlanePoint direction;
   bool kept = false;
   // fanuc.cutter-b.direction-words: In any straight block of the mode with an axis word of the plane, I J (G17), K I
   // (G18) or J K (G19) are the direction. Only the direction counts. A missing letter is 0, and the letter that is not
   // of the plane means nothing.
-  if (recorder_.decide(Clause::fanuc_cutter_b_direction_words, block.direction.has_value())) {
+  if (recorder.decide(Clause::fanuc_cutter_b_direction_words, block.direction.has_value())) {
     direction = *block.direction;
     // fanuc.cutter-b.direction-zero: If the direction is given and is zero (letters of the plane that are 0), no vector
     // is made, and the one in force is kept.
-    kept = recorder_.decide(Clause::fanuc_cutter_b_direction_zero, is_zero(direction));
+    kept = recorder.decide(Clause::fanuc_cutter_b_direction_zero, is_zero(direction));
   } else {
     direction = block.end - block.start;
     // fanuc.cutter-b.no-travel: A block with an axis word of the plane, but without a direction and without travel in
     // the plane, makes no vector, and the one in force is kept.
-    kept = recorder_.decide(Clause::fanuc_cutter_b_no_travel, block.motion == PlaneMotion::zero_travel);
+    kept = recorder.decide(Clause::fanuc_cutter_b_no_travel, block.motion == PlaneMotion::zero_travel);
   }
   if (kept) return std::nullopt;
-  recorder_.reach(Clause::fanuc_cutter_b_vector);
-  return across(to_the_left(block), direction);
-}
-
-// fanuc.cutter-b.number-zero: Number 0 is a number of the value 0: vectors of length 0 are made with it, the start-up
-// included. D0 does not cancel the mode.
-// fanuc.cutter.side: G41 with a positive value and G42 with a negative value offset to the left of the movement, and
-// the other two cases to the right. A negative value thus exchanges G41 and G42.
-Rational CutterBRules::to_the_left(const CutterBlock& block) const {
-  recorder_.decide(Clause::fanuc_cutter_b_number_zero, block.number == 0);
-  const Rational length = block.side == CutterSide::left ? block.offset : Rational(-block.offset);
-  recorder_.decide(Clause::fanuc_cutter_side, Real(length), Real(magnitude(length)));
-  return length;
+  recorder.reach(Clause::fanuc_cutter_b_vector);
+  return across(to_the_left(recorder, block), direction);
 }
 
 // fanuc.cutter-b.arc-vector: The vector at the end of an arc is on the line of centre and end, to the left (G41) or
@@ -58,35 +59,34 @@ Rational CutterBRules::to_the_left(const CutterBlock& block) const {
 // centre in the same direction. If the block before does not join in a tangent, the two heads have different distances
 // from the centre, and the tool's arc is a spiral.
 // fanuc.cutter-b.arc-ends-in-center: An arc whose end is its centre has no direction there and raises PS0038.
-PlanePoint CutterBRules::at_end_of_arc(const CutterBlock& block) const {
-  const PlanePoint to_end = block.end - block.arc->center;
-  if (is_zero(to_end)) raise(recorder_, Clause::fanuc_cutter_b_arc_ends_in_center, AlarmCause::arc_ends_in_center);
-  recorder_.reach(Clause::fanuc_cutter_b_arc_vector);
-  const PlanePoint tangent = block.arc_direction == spec::ArcDirection::ccw ? left(to_end) : -left(to_end);
-  return across(to_the_left(block), tangent);
+PlanePoint vector_of_arc(Recorder& recorder, const CutterBlock& block) {
+  const PlanePoint& to_end = block.arc->end;
+  if (is_zero(to_end)) raise(recorder, Clause::fanuc_cutter_b_arc_ends_in_center, AlarmCause::arc_ends_in_center);
+  recorder.reach(Clause::fanuc_cutter_b_arc_vector);
+  return across(to_the_left(recorder, block), Real(block.arc->turn) * left(to_end));
 }
 
 // fanuc.cutter-b.arc-sweep: The sweep of the tool's arc (G39's arc included) is the angle from the old head to the new
 // one about the centre, in the direction of the arc, over 0 and up to 360 degrees. If both heads are on one ray, it is
 // a whole turn. The arc never makes more than one turn. If a head is in the centre, no sweep can be stated.
-HeadArc CutterBRules::head_to_head(spec::ArcDirection direction, const PlanePoint& from, const PlanePoint& to) const {
+HeadArc head_to_head(Recorder& recorder, spec::ArcDirection direction, const PlanePoint& from, const PlanePoint& to) {
   HeadArc way;
   const Real from2 = squared_norm(from);
   const Real to2 = squared_norm(to);
   const bool in_center = from2.sign() == Sign::zero || to2.sign() == Sign::zero;
   // fanuc.cutter-b.arc-head-in-center: If the old or the new head is in the centre (the offset value is the radius of
   // an arc that is cut inside), no sweep can be stated.
-  if (!recorder_.decide(Clause::fanuc_cutter_b_arc_head_in_center, in_center)) {
+  if (!recorder.decide(Clause::fanuc_cutter_b_arc_head_in_center, in_center)) {
     const Real left_turn = cross(from, to);
     const Real sine = direction == spec::ArcDirection::ccw ? left_turn : -left_turn;
-    const Sign side = recorder_.decide(Clause::fanuc_cutter_b_arc_sweep, sine, sqrt(from2 * to2));
+    const Sign side = recorder.decide(Clause::fanuc_cutter_b_arc_sweep, sine, sqrt(from2 * to2));
     const Real cosine = dot(from, to);
     way.sweep = swept_angle(sine, cosine, side);
     way.one_head = side == Sign::zero && cosine.sign() == Sign::positive;
   }
   // fanuc.cutter-b.arc-radii: If the heads have different distances from the centre, the radius of the tool's arc grows
   // or shrinks evenly with the angle, and the event holds both radii.
-  if (recorder_.decide(Clause::fanuc_cutter_b_arc_radii, to2 - from2, to2 + from2) != Sign::zero) {
+  if (recorder.decide(Clause::fanuc_cutter_b_arc_radii, to2 - from2, to2 + from2) != Sign::zero) {
     way.radius = {sqrt(from2), sqrt(to2)};
     way.one_head = false;
   }
@@ -101,11 +101,11 @@ HeadArc CutterBRules::head_to_head(spec::ArcDirection direction, const PlanePoin
 // the cause cancel. A zero vector makes no move. A length offset that changes in the block goes along; with a zero
 // vector it has its own move, with the cause programmed. G92, G10 and G04 count as blocks without an axis word; with
 // G92 the coordinates are those after the renaming.
-Removal CutterBRules::removal(const CutterBlock& block, bool started, const PlanePoint& vector) const {
-  const bool has_started = recorder_.decide(Clause::fanuc_cutter_b_cancel, started);
+Removal removal(Recorder& recorder, const CutterBlock& block, bool started, const PlanePoint& vector) {
+  const bool has_started = recorder.decide(Clause::fanuc_cutter_b_cancel, started);
   const bool by_words = block.axis_word && (block.one_shot == OneShot::none || block.motion != PlaneMotion::none);
   if (by_words || block.motion == PlaneMotion::arc) return has_started ? Removal::in_own_move : Removal::none;
-  return recorder_.decide(Clause::fanuc_cutter_b_cancel_alone, !is_zero(vector)) ? Removal::alone : Removal::none;
+  return recorder.decide(Clause::fanuc_cutter_b_cancel_alone, !is_zero(vector)) ? Removal::alone : Removal::none;
 }
 
 // fanuc.cutter-b.corner-arc: G39 in the mode makes a new vector at right angles to a direction and takes the tool there
@@ -113,26 +113,26 @@ Removal CutterBRules::removal(const CutterBlock& block, bool started, const Plan
 // G39 is not modal, and the code of group 01 in force stays. That G39 also runs under G00 is our definition; the manual
 // speaks of G01, G02 and G03. A length offset that changes in the block goes along with the arc. If there is no arc, it
 // has its own move, with the cause programmed.
-CornerArcOfB CutterBRules::corner_arc(const CutterBlock& block, const PlanePoint& before) const {
-  recorder_.reach(Clause::fanuc_cutter_b_corner_arc);
+CornerArcOfB corner_arc_of_b(Recorder& recorder, const CutterBlock& block, const PlanePoint& before) {
+  recorder.reach(Clause::fanuc_cutter_b_corner_arc);
   // fanuc.cutter-b.corner-arc-direction: The direction of G39 is that of I J (K I, J K); a missing letter is 0. Without
   // a letter of the plane it is that of the axis words: in G91 as written, in G90 from the programmed position to the
   // point named (a missing axis gives 0), both in the workpiece system in force after the codes of the block. If the
   // block has both, I J K count (our definition).
-  recorder_.decide(Clause::fanuc_cutter_b_corner_arc_direction, block.direction_letters);
-  const Rational length = to_the_left(block);
+  recorder.decide(Clause::fanuc_cutter_b_corner_arc_direction, block.direction_letters);
+  const Rational length = to_the_left(recorder, block);
   CornerArcOfB result;
   result.vector = across(length, *block.direction);
   // fanuc.cutter-b.corner-arc-sense: The arc of G39 runs clockwise under G41 and counter-clockwise under G42. A
   // negative offset value reverses the sense, and a value of 0 counts as not positive (both our definition).
-  const bool clockwise = recorder_.decide(Clause::fanuc_cutter_b_corner_arc_sense, length > 0);
+  const bool clockwise = recorder.decide(Clause::fanuc_cutter_b_corner_arc_sense, length > 0);
   result.direction = clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
   const bool no_vector = is_zero(before) && is_zero(result.vector);
-  if (!no_vector) result.way = head_to_head(result.direction, before, result.vector);
+  if (!no_vector) result.way = head_to_head(recorder, result.direction, before, result.vector);
   // fanuc.cutter-b.corner-arc-none: If the new vector equals the old one, G39 makes no move, even if the block has axis
   // words. The vectors are equal only if both direction and length are: fanuc.cutter-b.arc-sweep and
   // fanuc.cutter-b.arc-radii are both ties and the heads are on one ray, or both vectors are zero.
-  result.moves = !recorder_.decide(Clause::fanuc_cutter_b_corner_arc_none, no_vector || result.way.one_head);
+  result.moves = !recorder.decide(Clause::fanuc_cutter_b_corner_arc_none, no_vector || result.way.one_head);
   return result;
 }
 

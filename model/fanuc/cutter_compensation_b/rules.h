@@ -34,24 +34,14 @@ enum class Removal : std::uint8_t {
 };
 
 // What each kind of block makes of the vector in force. Clauses: fanuc.cutter-b.*, fanuc.cutter.side.
-class CutterBRules {
- public:
-  explicit CutterBRules(Recorder& recorder) : recorder_(recorder) {}
 
-  // At the end of a straight block; nothing where the vector in force is kept.
-  [[nodiscard]] std::optional<PlanePoint> at_end_of_line(const CutterBlock& block) const;
-  // At the end of an arc. Throws Alarm PS0038.
-  [[nodiscard]] PlanePoint at_end_of_arc(const CutterBlock& block) const;
-  [[nodiscard]] HeadArc head_to_head(spec::ArcDirection direction, const PlanePoint& from, const PlanePoint& to) const;
-  // `started`: the start-up is made.
-  [[nodiscard]] Removal removal(const CutterBlock& block, bool started, const PlanePoint& vector) const;
-  [[nodiscard]] CornerArcOfB corner_arc(const CutterBlock& block, const PlanePoint& before) const;
-
- private:
-  // The offset value to the left of the path, with its sign.
-  [[nodiscard]] Rational to_the_left(const CutterBlock& block) const;
-
-  Recorder& recorder_;
-};
+// At the end of a straight block; nothing where the vector in force is kept.
+std::optional<PlanePoint> vector_of_line(Recorder& recorder, const CutterBlock& block);
+// At the end of an arc. Throws Alarm PS0038.
+PlanePoint vector_of_arc(Recorder& recorder, const CutterBlock& block);
+HeadArc head_to_head(Recorder& recorder, spec::ArcDirection direction, const PlanePoint& from, const PlanePoint& to);
+// `started`: the start-up is made.
+Removal removal(Recorder& recorder, const CutterBlock& block, bool started, const PlanePoint& vector);
+CornerArcOfB corner_arc_of_b(Recorder& recorder, const CutterBlock& block, const PlanePoint& before);
 
 }  // namespace toolcomp::model

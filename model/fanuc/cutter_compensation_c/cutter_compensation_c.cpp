@@ -3,8 +3,6 @@
 //
 // A block is first planned: what it is to the mode (mode.h). Its moves are made as soon as the next block that moves in
 // the plane is known, or that there is none near enough. docs/formal.md says which functions of spec/formal they are.
-#include "model/fanuc/cutter_compensation_c/cutter_compensation_c.h"
-
 #include <utility>
 
 #include "model/basis/alarm.h"
@@ -12,9 +10,8 @@
 #include "model/fanuc/cutter_compensation_c/mode.h"
 #include "model/fanuc/cutter_compensation_c/rules.h"
 #include "model/fanuc/passes/corner_moves.h"
-#include "model/fanuc/passes/interference_check.h"
+#include "model/fanuc/passes/passes.h"
 #include "model/fanuc/passes/window.h"
-#include "model/fanuc/program/blocks_read.h"
 #include "model/geometry/arc.h"
 #include "spec/language/setup.h"
 
@@ -27,22 +24,10 @@ bool makes_corner(CutterPart part) {
 }
 
 // A block of the plane between two vectors.
-CheckedPath between_vectors(Recorder& recorder, spec::Plane plane, const OffsetPath& path) {
-  const auto change = [plane](const Vector& from, const Vector& to) {
-    return in_plane_of(plane, to) - in_plane_of(plane, from);
-  };
-  return {
-      .arc_interferes = [&](ToolArcRun& run) { return arc_interferes(recorder, path.start, path.end, run); },
-      .line_interferes =
-          [&, plane](const Vector& from, const Vector& to) {
-            return line_interferes(recorder, path, in_plane_of(plane, from), in_plane_of(plane, to));
-          },
-      .backwards =
-          [&path, change](const Vector& from, const Vector& to) {
-            return -dot(path.travel, path.travel + change(from, to)) / sqrt(squared_norm(path.travel));
-          },
-      .excess = [&path] { return excess(path.start, path.end); },
-  };
+CheckedPath between_vectors(spec::Plane plane, const OffsetPath& path) {
+  return {path.start, path.end, [&path, plane](const Vector& from, const Vector& to) {
+            return way_along(path, in_plane_of(plane, from), in_plane_of(plane, to));
+          }};
 }
 
 CornerVector in_plane(spec::Plane plane, const SpaceVector& v) {
@@ -53,23 +38,15 @@ CornerVector in_plane(spec::Plane plane, const SpaceVector& v) {
 class CutterCompensationC final : public CutterCompensation {
  public:
   explicit CutterCompensationC(const Place& place)
-      : CutterCompensation(place),
+      : CutterCompensation(place, true),
         idle_limit_(blocks_read(place.setup) - 1),
         rules_(place.setup, place.recorder),
-        interference_{.checks = !place.setup.bit(5008, 0),
-                      .by_parameters = true,
-                      .keeps_vectors = place.setup.series == spec::Series::series_30i && place.setup.bit(5008, 3),
-                      .no_alarm = place.setup.bit(5008, 1)},
-        axes_(place.setup.axes),
-        suv_(place.setup.bit(5003, 1)),
         mode_(place.setup, place.recorder, idle_limit_) {}
 
   [[nodiscard]] int look_ahead() const override { return idle_limit_; }
   [[nodiscard]] bool on() const override { return mode_.is_on_or_asked_for(); }
-  // In the mode: it is then an arc without a sweep, and PS0038.
-  [[nodiscard]] bool takes_arc_about_its_start(const Command& command) const override { return on_after(command); }
   void take(OwnedStep step) override {
-    CutterPlan plan = mode_.next(*step->words.cutter, *step);
+    CutterPlan plan = mode_.next(*step->words.cutter, *step, waiting());
     step->clauses.add(recorder().take_clauses());
     window_.push({std::move(step), std::move(plan)});
   }
@@ -77,14 +54,11 @@ class CutterCompensationC final : public CutterCompensation {
   void end() override { window_.end(); }
   OwnedStep next() override {
     if (window_.empty()) return nullptr;
-    Ahead ahead;
-    if (looks_ahead(window_.front())) {
-      ahead = look();
-      if (ahead.kind == Ahead::Kind::unknown) return nullptr;
-    }
+    const auto ahead = look();
+    if (!ahead) return nullptr;
     Planned now = window_.pop();
     recorder().at(now.step->line);
-    make_moves(now, ahead);
+    make_moves(now, *ahead);
     now.step->clauses.add(recorder().take_clauses());
     tool_.place = now.step->rest;
     return std::move(now.step);
@@ -95,56 +69,39 @@ class CutterCompensationC final : public CutterCompensation {
     OwnedStep step;
     CutterPlan plan;
   };
-  // What follows a block.
-  struct Ahead {
-    enum class Kind : std::uint8_t {
-      unknown,      // as far as the program has been read, or not asked
-      next,         // a block that makes a corner with it
-      none,         // no such block
-      too_far,      // no such block near enough: too many without motion come first
-      loses_vector  // G52 or G92 of the plane
-    };
-    Kind kind = Kind::unknown;
-    const Planned* next = nullptr;
-    bool repeated = false;  // G41 or G42 repeated in the next block, or in a block between
-    bool between = false;   // blocks without motion come between
-    Clause why{};           // none, too_far: to be recorded
-  };
+  using Ahead = Window<Planned>::Ahead;
 
-  [[nodiscard]] bool wanted(CutterSide side, std::uint32_t number) const override {
-    return asks_for_mode(side, number);
-  }
-  using CutterCompensation::wanted;
-  void check(const CutterBlock& words) const override {
-    check_common(words);
+  void check(const CutterBlock& words, const Command& /*command*/) const override {
     if (words.one_shot == OneShot::corner_arc) check_corner_arc(words);
     if (!words.arc_words) return;
-    const bool starts = wanted(words) && !mode_.is_on() && !mode_.is_pending();
-    const bool cancels = !wanted(words) && mode_.is_on();
     // fanuc.cutter-c.start-or-cancel-in-arc: An arc as start-up block or as cancel block raises PS0034. The words of
     // the block tell whether it is an arc: G02 or G03 in force, no code of group 00 in the block (G45 to G48 do not
     // count here), and an axis word of the plane, R, I, J or K in the block.
-    if (starts || cancels)
+    if (mode_.starts(wanted(words)) || mode_.cancels(wanted(words)))
       raise(recorder(), Clause::fanuc_cutter_c_start_or_cancel_in_arc, AlarmCause::arc_at_start_or_cancel);
   }
 
   [[nodiscard]] const CutterBlock& block_of(const Planned& b) const { return *b.step->words.cutter; }
 
   void check_corner_arc(const CutterBlock& words) const {
-    const bool other_number = words.number_given && words.number != words.number_before;
     const bool no_direction = words.direction && is_zero(*words.direction);
     // fanuc.cutter-c.corner-arc-alarm: G39 raises PS0035 with G40 or number 0 in force, or after them while a vector
     // waits for its removal. It raises PS0035 before a moving block has made a vector: before the start-up block, after
     // a G41 or G42 of SUV = 1, and after G53, G28, G30, G30.1, G29, G52 or G92 of the plane. It raises PS0035 with G41,
     // G42, an axis word, or a word that gives the cutter another number in its block, and with letters of the plane
     // that are all 0.
-    if (!wanted(words) || !mode_.made_by_move() || words.says_side() || words.axis_word || other_number || no_direction)
+    if (!wanted(words) || !mode_.made_by_move() || words.says_side() || words.axis_word || words.changes_number() ||
+        no_direction)
       raise(recorder(), Clause::fanuc_cutter_c_corner_arc_alarm, AlarmCause::corner_arc);
   }
 
-  [[nodiscard]] bool looks_ahead(const Planned& b) const {
-    return b.plan.part == CutterPart::start_up || b.plan.part == CutterPart::moving ||
-           b.plan.part == CutterPart::lone_start || (b.plan.part == CutterPart::corner_arc && !block_of(b).direction);
+  // Nothing but the block that waits, and blocks without motion after it, is here when the next one is planned.
+  [[nodiscard]] std::optional<CutterMode::Waiting> waiting() const {
+    if (window_.empty()) return std::nullopt;
+    const CutterPart part = window_[0].plan.part;
+    CutterMode::Waiting result{part == CutterPart::start_up || part == CutterPart::moving};
+    for (std::size_t i = 1; i < window_.size(); ++i) result.count += window_[i].plan.count;
+    return result;
   }
 
   // fanuc.cutter-c.one-non-motion-block: If the count between A and B is smaller than that of
@@ -160,29 +117,32 @@ class CutterCompensationC final : public CutterCompensation {
   // fanuc.cutter-c.reference-intersection), a lone G40 and a lone number 0.
   // fanuc.cutter-c.repeated: If block B, or a block between A and B, has a word G41 or G42 equal to the code in force
   // before it, the group is P1 of A, at inner and outer corners alike.
-  [[nodiscard]] Ahead look() const {
-    using Kind = Ahead::Kind;
-    const Planned& a = window_.front();
-    if (stops_reading(block_of(a), *a.step))
-      return {.kind = Kind::none, .why = Clause::fanuc_cutter_c_look_ahead_stopped};
+  [[nodiscard]] std::optional<Ahead> look() const {
+    const Planned& a = window_[0];
+    const CutterPart part = a.plan.part;
+    if (part != CutterPart::start_up && part != CutterPart::moving && part != CutterPart::lone_start &&
+        (part != CutterPart::corner_arc || block_of(a).direction))
+      return Ahead{};
+    if (stops_reading(block_of(a), *a.step)) return Ahead{.why = Clause::fanuc_cutter_c_look_ahead_stopped};
     bool repeated = false;
     int count = 0;
-    for (std::size_t i = 0; i < window_.following(); ++i) {
-      const Planned& b = window_.after(i);
+    for (std::size_t i = 1; i < window_.size(); ++i) {
+      const Planned& b = window_[i];
       const CutterBlock& block = block_of(b);
       repeated = repeated || block.repeats_code();
-      if (makes_corner(b.plan.part)) return {Kind::next, &b, repeated, count > 0, {}};
+      if (makes_corner(b.plan.part)) return Ahead{&b, repeated, count > 0};
       // A reference return is a case of fanuc.cutter-c.no-next-block, whether reading stops there or not.
       if (stops_reading(block, *b.step) && block.motion != PlaneMotion::reference)
-        return {.kind = Kind::none, .why = Clause::fanuc_cutter_c_look_ahead_stopped};
-      if (b.plan.shifts) return {.kind = Kind::loses_vector};
+        return Ahead{.why = Clause::fanuc_cutter_c_look_ahead_stopped};
+      if (b.plan.shifts) return Ahead{.why = Clause::fanuc_cutter_c_coordinate_shift};
       if (b.plan.part != CutterPart::idle && b.plan.part != CutterPart::lone_start)
-        return {.kind = Kind::none, .why = Clause::fanuc_cutter_c_no_next_block};
+        return Ahead{.why = Clause::fanuc_cutter_c_no_next_block};
       count += b.plan.count;
       if (count >= idle_limit_ || b.plan.part == CutterPart::lone_start)
-        return {.kind = Kind::too_far, .why = Clause::fanuc_cutter_c_two_non_motion_blocks};
+        return Ahead{.why = Clause::fanuc_cutter_c_two_non_motion_blocks};
     }
-    return {.kind = window_.ended() ? Kind::none : Kind::unknown, .why = Clause::fanuc_cutter_c_no_next_block};
+    if (!window_.ended()) return std::nullopt;
+    return Ahead{.why = Clause::fanuc_cutter_c_no_next_block};
   }
 
   // The moves of a block, and where the tool stands after it.
@@ -235,10 +195,10 @@ class CutterCompensationC final : public CutterCompensation {
       run.emplace(recorder(), path, in_plane(plane, tool_.heads.back()), in_plane(plane, at_end.front()));
     Checked checked;
     // fanuc.cutter-c.interference-check: No. 5008 bit 0, CNI, switches the interference check: 0 checks, 1 does not.
-    if (a.plan.part == CutterPart::moving && a.plan.to_check && ahead.kind != Ahead::Kind::loses_vector &&
-        recorder().decide(Clause::fanuc_cutter_c_interference_check, interference_.checks))
-      checked = check_interference(recorder(), interference_, between_vectors(recorder(), plane, path), tool_.heads,
-                                   at_end, run ? &*run : nullptr);
+    if (a.plan.part == CutterPart::moving && a.plan.to_check && ahead.why != Clause::fanuc_cutter_c_coordinate_shift &&
+        recorder().decide(Clause::fanuc_cutter_c_interference_check, !setup().bit(5008, 0)))
+      checked = check_interference(recorder(), interference(), between_vectors(plane, path), tool_.heads, at_end,
+                                   run ? &*run : nullptr);
     // fanuc.cutter-c.interference-alarm: Interference of the last pair, or of the only pair, raises PS0041 (except in
     // fanuc.cutter-c.interference-without-alarm). The alarm names the block. Neither the block nor its corner moves are
     // given; the block before it runs to the first head of its own group.
@@ -251,6 +211,11 @@ class CutterCompensationC final : public CutterCompensation {
     here_ = path.end.heading;
   }
 
+  [[nodiscard]] InterferenceRules interference() const {
+    const bool keeps_vectors = setup().series == spec::Series::series_30i && setup().bit(5008, 3);
+    return {.by_parameters = true, .keeps_vectors = keeps_vectors, .no_alarm = setup().bit(5008, 1)};
+  }
+
   // The vectors at the end of a moving block: those of the corner, or P1.
   [[nodiscard]] SpaceGroup group_at_end(const Planned& a, const Ahead& ahead) {
     const spec::Plane plane = block_of(a).plane;
@@ -259,13 +224,13 @@ class CutterCompensationC final : public CutterCompensation {
     // holds also if A is a start-up block, and with or without a block without motion between. The mode stays on,
     // whatever CCN is. The next moving block, also an arc, runs from there to its ordinary group, without a corner and
     // without a change of direction before it.
-    if (ahead.kind == Ahead::Kind::loses_vector) {
+    if (ahead.why == Clause::fanuc_cutter_c_coordinate_shift) {
       recorder().decide(Clause::fanuc_cutter_c_coordinate_shift, true);
       return {SpaceVector{}};
     }
-    if (ahead.kind != Ahead::Kind::next) {
+    if (ahead.next == nullptr) {
       recorder().reach(ahead.why);
-      return in_space(plane, rules_.square_to(a.plan.path.end));
+      return in_space(plane, square_to(recorder(), a.plan.path.end));
     }
     recorder().decide(Clause::fanuc_cutter_c_one_non_motion_block, ahead.between);
     return in_space(plane, corner_group(a, *ahead.next, ahead.repeated));
@@ -317,7 +282,7 @@ class CutterCompensationC final : public CutterCompensation {
     // of these comes first: a count of fanuc.cutter-c.two-non-motion-blocks; a case of fanuc.cutter-c.no-next-block,
     // G28 included; a block that stops reading ahead; G52 or G92 of the plane; or a block in which the mode is no
     // longer asked for, also the cancel block.
-    if (ahead.kind == Ahead::Kind::next) {
+    if (ahead.next != nullptr) {
       recorder().reach(Clause::fanuc_cutter_c_start_without_motion);
       at_once(now, spec::Cause::start_up);
       tool_.heads = in_space(block_of(now).plane, {square_to_latter(ahead.next->plan.path.start)});
@@ -351,7 +316,7 @@ class CutterCompensationC final : public CutterCompensation {
     // fanuc.cutter-c.suv: With No. 5003 bit 1, SUV, at 1 (type C), a G41 or G42 that starts the mode, and a G40 or
     // number 0 that ends it, act at once in a block that does not move in the plane. With SUV = 0 such a block makes
     // and removes nothing.
-    const bool removes = recorder().decide(Clause::fanuc_cutter_c_suv, suv_);
+    const bool removes = recorder().decide(Clause::fanuc_cutter_c_suv, setup().bit(5003, 1));
     if (removes) at_once(now, spec::Cause::cancel);
     if (removes || !now.plan.changes) tool_.stand({});
     at_head(*now.step, tool_.heads.front());
@@ -366,10 +331,10 @@ class CutterCompensationC final : public CutterCompensation {
     // with CCN = 1, the way to the intermediate point.
     if (recorder().decide(Clause::fanuc_cutter_c_corner_arc_direction, direction.has_value())) {
       turn(now, heading(*direction), false);
-    } else if (ahead.kind == Ahead::Kind::next) {
+    } else if (ahead.next != nullptr) {
       turn(now, ahead.next->plan.path.start.heading, ahead.next->plan.offset.side == now.plan.offset.side);
     } else {
-      const bool too_far = ahead.kind == Ahead::Kind::too_far;
+      const bool too_far = ahead.why == Clause::fanuc_cutter_c_two_non_motion_blocks;
       // fanuc.cutter-c.corner-arc-without-next-block: If a case of fanuc.cutter-c.no-next-block comes before the next
       // moving block, a G39 without letters makes no arc and keeps the vector. If a count of
       // fanuc.cutter-c.two-non-motion-blocks comes after the G39, the run is undecided at the G39 block, and the blocks
@@ -412,8 +377,8 @@ class CutterCompensationC final : public CutterCompensation {
       leg.cause = spec::Cause::corner;
       spec::Arc<Real>& path = leg.arc.emplace();
       const PlaneLetters in_plane = letters(block.plane);
-      path.center.set(axes_.index(in_plane.first), block.start[0]);
-      path.center.set(axes_.index(in_plane.second), block.start[1]);
+      path.center.set(setup().axes.index(in_plane.first), block.start[0]);
+      path.center.set(setup().axes.index(in_plane.second), block.start[1]);
       path.plane = block.plane;
       path.direction = clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
       path.sweep = swept_angle(sine, cosine, side);
@@ -458,17 +423,12 @@ class CutterCompensationC final : public CutterCompensation {
   // The alarm names this block, and nothing of it is given.
   [[noreturn]] void raise_at(const Planned& now, Clause clause, AlarmCause cause, const Real& crossing) {
     recorder().reach(clause);
-    const Alarm alarm = geometry_alarm(*now.step, axes_, cause, crossing);
     window_.clear();
-    throw Alarm(alarm);
+    throw geometry_alarm(*now.step, setup().axes, cause, crossing);
   }
 
   int idle_limit_;
   CutterRules rules_;
-  InterferenceRules interference_;
-  spec::Axes axes_;
-  bool suv_;  // 5003#1
-
   CutterMode mode_;
   Window<Planned> window_;
   Standing tool_;

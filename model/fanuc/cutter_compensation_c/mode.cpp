@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/fanuc/cutter_compensation_c/mode.h"
 
-#include <utility>
-
 namespace toolcomp::model {
 namespace {
-
-bool is_machine_move(PlaneMotion motion) {
-  return motion == PlaneMotion::machine_coordinates || motion == PlaneMotion::reference ||
-         motion == PlaneMotion::from_reference;
-}
 
 // G52 or G92 of the plane.
 bool shifts_plane(const CutterBlock& block) { return is_shift(block.one_shot) && block.has_plane_word(); }
@@ -17,27 +10,18 @@ bool shifts_plane(const CutterBlock& block) { return is_shift(block.one_shot) &&
 // The path of a moving block: at its start with the distance in force before it, each on the block's own side.
 OffsetPath path_of(const CutterBlock& block, const CutterOffset& own, const Rational& distance_before) {
   const Rational at_start = own.side * distance_before;
-  if (block.motion != PlaneMotion::arc) return line_path(block.end - block.start, at_start, own.left());
-  ArcEnds arc;
-  arc.start = block.start - block.arc->center;
-  arc.end = block.end - block.arc->center;
-  arc.turn = block.arc_direction == spec::ArcDirection::ccw ? 1 : -1;
-  arc.radius = block.radius;
-  arc.one_radius = !block.arc->radius;
-  return arc_path(arc, at_start, own.left());
+  return block.arc ? arc_path(*block.arc, at_start, own.left())
+                   : line_path(block.end - block.start, at_start, own.left());
 }
 
 }  // namespace
 
 CutterMode::CutterMode(const spec::Setup& setup, Recorder& recorder, int idle_limit)
-    : recorder_(recorder), idle_limit_(idle_limit), suv_(setup.bit(5003, 1)), ccn_(setup.bit(5003, 2)) {}
+    : CornerMode(setup, recorder), idle_limit_(idle_limit) {}
 
-CutterPlan CutterMode::next(const CutterBlock& block, const Step& step) {
-  const bool in_force = block.side != CutterSide::none;
-  // fanuc.cutter-c.number-zero: Number 0 in force acts as G40 does. G41 or G42 stays in force, and a later number other
-  // than 0 asks for the mode again. A number other than 0 whose value is 0 does not cancel: the mode starts and stays
-  // on.
-  const bool asked = in_force && !recorder_.decide(Clause::fanuc_cutter_c_number_zero, block.number == 0);
+CutterPlan CutterMode::next(const CutterBlock& block, const Step& step, const std::optional<Waiting>& waiting) {
+  waiting_ = waiting;
+  const bool asked = asks(block);
   // fanuc.cutter-c.moving-block: A block moves in the plane if its end differs from its start in an axis of the plane,
   // or if it is a full circle. Its path is that of G00, G01, G02 or G03 seen in the plane.
   const bool moves = recorder_.decide(Clause::fanuc_cutter_c_moving_block,
@@ -45,8 +29,9 @@ CutterPlan CutterMode::next(const CutterBlock& block, const Step& step) {
   if (is_pending() && (!asked || is_machine_move(block.motion) || shifts_plane(block))) nothing_follows();
   const bool may_follow = moves || block.motion == PlaneMotion::reference;
   const bool stops = stops_reading(block, step);
+  asked_ = asked;
   if (stops && !may_follow) nothing_follows();
-  CutterPlan plan = is_on() || is_pending() ? while_on(block, asked, moves) : while_off(block, asked, moves);
+  CutterPlan plan = phase_ != Phase::off ? while_on(block, step, asked, moves) : while_off(block, asked, moves);
   if (stops) nothing_follows();
   return plan;
 }
@@ -54,12 +39,6 @@ CutterPlan CutterMode::next(const CutterBlock& block, const Step& step) {
 void CutterMode::nothing_follows() {
   waiting_.reset();
   if (is_pending()) phase_ = Phase::off;
-}
-
-void CutterMode::turn_off(bool asked) {
-  waiting_.reset();
-  phase_ = Phase::off;
-  asked_ = asked;
 }
 
 CutterPlan CutterMode::of_part(CutterPart part) const {
@@ -70,14 +49,12 @@ CutterPlan CutterMode::of_part(CutterPart part) const {
 }
 
 CutterPlan CutterMode::while_off(const CutterBlock& block, bool asked, bool moves) {
-  asked_ = asked;
-  unchecked_ = false;
   // fanuc.cutter-c.suv: With No. 5003 bit 1, SUV, at 1 (type C), a G41 or G42 that starts the mode, and a G40 or number
   // 0 that ends it, act at once in a block that does not move in the plane. With SUV = 0 such a block makes and removes
   // nothing.
   const bool starts = asked && moves;
   const bool starts_alone = asked && !moves && block.says_side() && !is_machine_move(block.motion) &&
-                            recorder_.decide(Clause::fanuc_cutter_c_suv, suv_);
+                            recorder_.decide(Clause::fanuc_cutter_c_suv, setup_.bit(5003, 1));
   if (!starts && !starts_alone) return of_part(CutterPart::free);
   // fanuc.cutter-c.start-up: If G41 or G42 and a number other than 0 are in force and the mode is off, the next block
   // that moves in the plane is the start-up block, whether it has the code or not (except in
@@ -85,20 +62,19 @@ CutterPlan CutterMode::while_off(const CutterBlock& block, bool asked, bool move
   if (starts) recorder_.reach(Clause::fanuc_cutter_c_start_up);
   last_ = offset_of(recorder_, block.side, block.offset);
   phase_ = starts ? Phase::started : Phase::pending;
-  waiting_ = Waiting{starts, 0};
   CutterPlan plan = of_part(starts ? CutterPart::start_up : CutterPart::lone_start);
   if (starts) plan.path = path_of(block, last_, last_.distance);
   plan.changes = last_.distance != 0;
   return plan;
 }
 
-CutterPlan CutterMode::while_on(const CutterBlock& block, bool asked, bool moves) {
+CutterPlan CutterMode::while_on(const CutterBlock& block, const Step& step, bool asked, bool moves) {
   // fanuc.cutter-c.restart-before-removal: If G41 or G42 with a number other than 0 is in force again after a lone G40
   // or number 0, before the vector is removed, the run is undecided at that block. The blocks before it are given as if
   // it were absent. A vector that is exactly zero is removed at once.
   if (asked && phase_ == Phase::ending)
-    leave_open_here(Clause::fanuc_cutter_c_restart_before_removal,
-                    "G41 or G42 again before the vector of the cancelled mode is removed");
+    leave_open_alone(recorder_, Clause::fanuc_cutter_c_restart_before_removal,
+                     "G41 or G42 again before the vector of the cancelled mode is removed");
   const bool shifts = shifts_plane(block);
   const bool after_leg = shifts && take_vector_away();
   CutterPlan plan;
@@ -109,9 +85,9 @@ CutterPlan CutterMode::while_on(const CutterBlock& block, bool asked, bool moves
   else if (!asked)
     plan = phase_ == Phase::ending ? of_part(CutterPart::idle) : lone_cancel();
   else if (moves)
-    plan = moving(block);
+    plan = moving(block, step);
   else if (block.one_shot == OneShot::corner_arc)
-    plan = corner_arc(block);
+    plan = of_part(CutterPart::corner_arc);
   else
     plan = without_motion(block);
   plan.shifts = shifts;
@@ -119,19 +95,18 @@ CutterPlan CutterMode::while_on(const CutterBlock& block, bool asked, bool moves
   return plan;
 }
 
-CutterPlan CutterMode::moving(const CutterBlock& block) {
+CutterPlan CutterMode::moving(const CutterBlock& block, const Step& step) {
   // fanuc.cutter-c.arc-ends-in-center: An arc block with G41 or G42 and a number other than 0 in force raises PS0038 if
   // its centre is its start or its end; both cases are alike. This is an alarm of a command. It comes after the alarms
   // that the words alone raise (PS0034 of a start-up in an arc among them) and after those of the length offset.
-  if (block.arc && !block.arc->sweep)
+  if (block.arc && !step.moves.front().leg.arc->sweep)
     raise(recorder_, Clause::fanuc_cutter_c_arc_ends_in_center, AlarmCause::arc_ends_in_center);
   const CutterOffset offset = next_offset(block);
   CutterPlan plan = of_part(CutterPart::moving);
   plan.path = path_of(block, offset, last_.distance);
   plan.offset = last_ = offset;
-  plan.to_check = !std::exchange(unchecked_, false);
+  plan.to_check = phase_ != Phase::taken_away;
   phase_ = Phase::running;
-  waiting_ = Waiting{true, 0};
   return plan;
 }
 
@@ -141,15 +116,9 @@ CutterOffset CutterMode::next_offset(const CutterBlock& block) const {
   // change raises DIR_CHANGE_AT_STARTUP, a name of ours, at that block. A start-up here is the start-up block, also one
   // that follows G53 or a reference return, or the G41 or G42 of SUV = 1. The rule holds however many blocks without
   // motion come between, and whatever the value.
-  if ((phase_ == Phase::started || is_pending()) && offset.side != last_.side)
+  if (changes_side_at_start(offset))
     raise(recorder_, Clause::fanuc_cutter_c_direction_change_at_start_up, AlarmCause::side_change_at_start);
   return offset;
-}
-
-CutterPlan CutterMode::corner_arc(const CutterBlock& block) {
-  waiting_.reset();
-  if (!block.direction) waiting_ = Waiting{};
-  return of_part(CutterPart::corner_arc);
 }
 
 CutterPlan CutterMode::without_motion(const CutterBlock& block) {
@@ -160,8 +129,7 @@ CutterPlan CutterMode::without_motion(const CutterBlock& block) {
   plan.count = recorder_.decide(Clause::fanuc_cutter_c_non_motion_count, block.motion == PlaneMotion::zero_travel)
                    ? idle_limit_
                    : 1;
-  waiting_->count += plan.count;
-  if (waiting_->count < idle_limit_) return plan;
+  if (waiting_->count + plan.count < idle_limit_) return plan;
   const bool restarts = is_pending() && block.says_side();
   nothing_follows();
   // The look-ahead ends here without a moving block; the code has one of its own.
@@ -172,7 +140,7 @@ CutterPlan CutterMode::cancel(const CutterBlock& block) {
   const bool moves = block.motion != PlaneMotion::zero_travel;
   CutterPlan plan = of_part(moves ? CutterPart::cancel : CutterPart::cancel_by_zero_travel);
   if (moves) plan.path = line_path(block.end - block.start, last_.left(), last_.left());
-  turn_off(false);
+  phase_ = Phase::off;
   return plan;
 }
 
@@ -180,8 +148,7 @@ CutterPlan CutterMode::cancel(const CutterBlock& block) {
 CutterPlan CutterMode::lone_cancel() {
   CutterPlan plan = of_part(CutterPart::lone_cancel);
   plan.changes = phase_ != Phase::taken_away && last_.distance != 0;
-  turn_off(false);
-  if (!suv_ && plan.changes) phase_ = Phase::ending;
+  phase_ = !setup_.bit(5003, 1) && plan.changes ? Phase::ending : Phase::off;
   return plan;
 }
 
@@ -194,22 +161,15 @@ bool CutterMode::take_vector_away() {
   // after G39, after a count of two (on the 30i: of one less than 19625 gives), and after a lone G40 or number 0 whose
   // vector waits. A vector of length 0 is none.
   if (!after_leg && at_vector)
-    leave_open_here(Clause::fanuc_cutter_c_coordinate_shift_with_vector,
-                    "G52 or G92 while the tool is at a vector of cutter compensation C");
+    leave_open_alone(recorder_, Clause::fanuc_cutter_c_coordinate_shift_with_vector,
+                     "G52 or G92 while the tool is at a vector of cutter compensation C");
   go_on_without_vector();
   return after_leg;
-}
-
-// The block is absent for those before it, and the clause stands alone.
-void CutterMode::leave_open_here(Clause clause, const char* message) const {
-  recorder_.take_clauses();
-  throw LeftOpen(clause, message);
 }
 
 void CutterMode::go_on_without_vector() {
   waiting_.reset();
   phase_ = Phase::taken_away;
-  unchecked_ = true;
 }
 
 // G53, G28, G30, G30.1, G29: the vector goes, and comes back by parameter 5003#2.
@@ -221,20 +181,20 @@ CutterPlan CutterMode::machine_move(const CutterBlock& block, bool asked) {
   }
   // fanuc.cutter-c.ccn: No. 5003 bit 2, CCN, says whether the mode stays on after G53, G28, G30, G30.1 or G29 of the
   // plane. With CCN = 0 the mode is off, and the next moving block is a start-up block.
-  const bool goes_on = asked && recorder_.decide(Clause::fanuc_cutter_c_ccn, ccn_);
+  const bool goes_on = asked && recorder_.decide(Clause::fanuc_cutter_c_ccn, setup_.bit(5003, 2));
   const bool reference = block.motion == PlaneMotion::reference;
   CutterPlan plan = of_part(CutterPart::vector_goes);
   if (reference && goes_on) plan = reference_with_intersection(block);
   if (goes_on)
     go_on_without_vector();
   else
-    turn_off(asked);
+    phase_ = Phase::off;
   return plan;
 }
 
 // The way to the intermediate point is a block of the offset mode; after that point the vector goes.
 CutterPlan CutterMode::reference_with_intersection(const CutterBlock& block) {
-  const PlanePoint travel = block.ends.front() - block.start;
+  const PlanePoint travel = block.first_end - block.start;
   // fanuc.cutter-c.reference-intersection: With G28, G30 or G30.1 of the plane and CCN = 1, the way to the intermediate
   // point is a line B of the offset mode, and the group at its end is its own P1. After a start-up block, the group
   // before this B is that of the start-up (SUP).

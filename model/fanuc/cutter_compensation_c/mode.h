@@ -5,12 +5,10 @@
 #include <cstdint>
 #include <optional>
 
-#include "model/basis/alarm.h"
-#include "model/basis/recorder.h"
+#include "model/fanuc/corner/corner_mode.h"
 #include "model/fanuc/corner/offset_path.h"
 #include "model/fanuc/cutter_compensation/cutter_block.h"
 #include "model/fanuc/program/step.h"
-#include "spec/language/setup.h"
 
 namespace toolcomp::model {
 
@@ -43,42 +41,23 @@ struct CutterPlan {
 };
 
 // Follows the mode through the program. Clauses: fanuc.cutter-c.*.
-class CutterMode {
+class CutterMode : public CornerMode {
  public:
   CutterMode(const spec::Setup& setup, Recorder& recorder, int idle_limit);
 
-  // The next block. Throws Alarm PS0038 or DIR_CHANGE_AT_STARTUP, or LeftOpen.
-  CutterPlan next(const CutterBlock& block, const Step& step);
-
-  // There is a vector, or a block that makes one.
-  [[nodiscard]] bool is_on() const { return phase_ > Phase::pending; }
-  // Or a code asks for one.
-  [[nodiscard]] bool is_on_or_asked_for() const { return is_on() || asked_; }
-  [[nodiscard]] bool is_pending() const { return phase_ == Phase::pending; }
-  // A moving block has made the vector, or makes it.
-  [[nodiscard]] bool made_by_move() const { return phase_ == Phase::started || phase_ == Phase::running; }
-
- private:
-  enum class Phase : std::uint8_t {
-    off,
-    pending,  // a lone start waits for the next moving block
-    started,  // no block has moved since the start-up block
-    running,
-    taken_away,  // the mode goes on without a vector: after G52, G92, G53 or a reference return
-    ending       // after a lone cancel the vector waits for its removal
-  };
-  // The block that waits for the next one that moves. It counts as CutterCompensationC::look does: the words of a block
-  // are read before the block that waits is made.
+  // The block that waits for the next one that moves. The words of a block are read before its moves are made.
   struct Waiting {
     bool moves = false;  // it ends at a corner
     int count = 0;       // of the blocks without motion after it
   };
+  // The next block. Throws Alarm PS0038 or DIR_CHANGE_AT_STARTUP, or LeftOpen.
+  CutterPlan next(const CutterBlock& block, const Step& step, const std::optional<Waiting>& waiting);
 
+ private:
   CutterPlan while_off(const CutterBlock& block, bool asked, bool moves);
-  CutterPlan while_on(const CutterBlock& block, bool asked, bool moves);
+  CutterPlan while_on(const CutterBlock& block, const Step& step, bool asked, bool moves);
   CutterPlan of_part(CutterPart part) const;
-  CutterPlan moving(const CutterBlock& block);
-  CutterPlan corner_arc(const CutterBlock& block);
+  CutterPlan moving(const CutterBlock& block, const Step& step);
   CutterPlan machine_move(const CutterBlock& block, bool asked);
   CutterPlan reference_with_intersection(const CutterBlock& block);
   CutterPlan without_motion(const CutterBlock& block);
@@ -87,26 +66,14 @@ class CutterMode {
   [[nodiscard]] CutterOffset next_offset(const CutterBlock& block) const;
   // Whether a moving block waits for its corner. Throws LeftOpen.
   bool take_vector_away();
-  [[noreturn]] void leave_open_here(Clause clause, const char* message) const;
   void go_on_without_vector();
-  void turn_off(bool asked);
   // What waits makes no corner.
   void nothing_follows();
 
-  Recorder& recorder_;
   int idle_limit_;
-  bool suv_;  // 5003#1
-  bool ccn_;  // 5003#2: the mode goes on after a machine move
 
-  Phase phase_ = Phase::off;
-  bool asked_ = false;  // by the last block: a side and a number other than 0 in force
-  CutterOffset last_;   // of the last block that moved, or of a lone start
-  std::optional<Waiting> waiting_;
-  bool unchecked_ = false;  // the next moving block is not checked for interference
+  std::optional<Waiting> waiting_;  // while a block is planned
 };
-
-// A side and a number other than 0.
-inline bool asks_for_mode(CutterSide side, std::uint32_t number) { return side != CutterSide::none && number != 0; }
 
 // Nothing is read beyond this block before it has run. Clause: fanuc.cutter-c.look-ahead-stopped.
 bool stops_reading(const CutterBlock& block, const Step& step);

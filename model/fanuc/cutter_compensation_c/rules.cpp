@@ -13,30 +13,31 @@ namespace toolcomp::model {
 std::optional<VectorGroup> CutterRules::by_first_rule(const CutterCorner& corner) const {
   const PathEnd& former = corner.former;
   const PathEnd& latter = corner.latter.start;
-  if (former.offset == 0) return square_to(former);
+  if (former.offset == 0) return square_to(recorder_, former);
   // fanuc.cutter-c.direction-change: If the side changes from A to B (G41 to G42 or back, or the sign of the value),
   // inner and outer corners are not told apart. If the offset paths of A and B have an intersection, the group is the
   // vector to it; if not, it is the vector perpendicular to B. A change of code in a block that does not move in the
   // plane counts in the next moving block.
-  if (!corner.cancels && recorder().decide(Clause::fanuc_cutter_c_direction_change, corner.side_changes))
-    return direction_change(former, latter);
+  if (!corner.cancels && recorder_.decide(Clause::fanuc_cutter_c_direction_change, corner.side_changes))
+    return direction_change(recorder_, former, latter);
   // fanuc.cutter-c.repeated: If block B, or a block between A and B, has a word G41 or G42 equal to the code in force
   // before it, the group is P1 of A, at inner and outer corners alike. B starts from that vector. A may be the start-up
   // block, and B may be the cancel block. The rule does not apply while the mode is off, nor to the B of
   // fanuc.cutter-c.start-without-motion.
   if (corner.repeated) {
-    recorder().reach(Clause::fanuc_cutter_c_repeated);
-    return square_to(former);
+    recorder_.reach(Clause::fanuc_cutter_c_repeated);
+    return square_to(recorder_, former);
   }
   if (corner.cancels) {
     // fanuc.cutter-c.cancel-direction: In a cancel block with the word G40, the letters of the plane among I J K give a
     // direction (I J in G17, K I in G18, J K in G19; a missing letter is 0). A line from A's end in that direction is
     // offset to A's side. The group is the intersection of A's offset path with that offset line, at inner and outer
     // corners alike. The letter outside the plane, and letters without the word G40, mean nothing.
-    const bool directed = recorder().decide(Clause::fanuc_cutter_c_cancel_direction, corner.direction.has_value());
-    return directed ? cancel_along(former, *corner.direction) : cancel(former, latter);
+    const bool directed = recorder_.decide(Clause::fanuc_cutter_c_cancel_direction, corner.direction.has_value());
+    if (directed) return cancel_along(former, *corner.direction);
   }
-  return corner.starts ? start_up(former, latter) : offset_mode(former, latter);
+  if (corner.cancels || corner.starts) return start_or_cancel(former, latter, corner.cancels);
+  return offset_mode(recorder_, former, latter);
 }
 
 // fanuc.cutter-c.corner-movement: Block A ends at the first head of the group, and the straight moves between the heads
@@ -47,7 +48,7 @@ std::optional<VectorGroup> CutterRules::group(const CutterCorner& corner) const 
   std::optional<VectorGroup> group = by_first_rule(corner);
   if (!group) return std::nullopt;
   drop_small_movements(*group, corner.latter);
-  recorder().decide(Clause::fanuc_cutter_c_corner_movement, group->size() > 1);
+  recorder_.decide(Clause::fanuc_cutter_c_corner_movement, group->size() > 1);
   return group;
 }
 
@@ -55,53 +56,39 @@ std::optional<VectorGroup> CutterRules::group(const CutterCorner& corner) const 
 // plane, whatever SUV is: 0 is type A, 1 is type B. With type A the group is P2 at start-up and P1 at cancel, whatever
 // the corner; the corner is not classified.
 CutterRules::CutterRules(const spec::Setup& setup, Recorder& recorder)
-    : CornerRules(recorder),
+    : recorder_(recorder),
       type_b_(setup.bit(5003, 0)),
       smallest_move_(setup.parameter(5010) ? plain(*setup.parameter(5010)) : Rational(0)) {}
 
 // fanuc.cutter-c.start-up-type: No. 5003 bit 0, SUP, chooses the type of start-up and cancel in blocks that move in the
 // plane, whatever SUV is: 0 is type A, 1 is type B.
-std::optional<CornerClass> CutterRules::detour(const PathEnd& former, const PathEnd& latter, bool to_line) const {
-  if (!recorder().decide(Clause::fanuc_cutter_c_start_up_type, type_b_)) return std::nullopt;
-  const CornerClass kind = classify(recorder(), former, latter);
-  if (kind == CornerClass::acute && to_line && is_under_one_degree(recorder(), former, latter)) return std::nullopt;
-  return kind;
-}
-
 // fanuc.cutter-c.start-up-inner: At a start-up of type B with an inner corner, B straight on included, the group is P2.
 // fanuc.cutter-c.start-up-obtuse: At a start-up of type B with an obtuse outer corner, the group is the vector
 // perpendicular to the start-up block, then the intersection. If B is an arc, its perpendicular vector follows.
 // fanuc.cutter-c.start-up-acute: At a start-up of type B with an acute outer corner (of two lines: from 1 degree on),
 // the group is the vector perpendicular to the start-up block, then the two vectors of an acute corner. If B is an arc,
 // its perpendicular vector follows.
-VectorGroup CutterRules::start_up(const PathEnd& former, const PathEnd& latter) const {
-  const auto kind = detour(former, latter, !latter.is_arc());
-  if (!kind) return {square_to_latter(latter)};
-  if (*kind == CornerClass::inner || *kind == CornerClass::straight) {
-    recorder().reach(Clause::fanuc_cutter_c_start_up_inner);
-    return {square_to_latter(latter)};
-  }
-  recorder().reach(*kind == CornerClass::obtuse ? Clause::fanuc_cutter_c_start_up_obtuse
-                                                : Clause::fanuc_cutter_c_start_up_acute);
-  return way_round(*kind, former, latter, true, latter.is_arc());
-}
-
 // fanuc.cutter-c.cancel-inner: At a cancel of type B with an inner corner, B straight on included, the group is P1.
 // fanuc.cutter-c.cancel-obtuse: At a cancel of type B with an obtuse outer corner, the group is the intersection, then
 // the vector perpendicular to the cancel block. If A is an arc, its perpendicular vector comes first.
 // fanuc.cutter-c.cancel-acute: At a cancel of type B with an acute outer corner (of two lines: from 1 degree on), the
 // group is the two vectors of an acute corner, then the vector perpendicular to the cancel block. If A is an arc, its
 // perpendicular vector comes first.
-VectorGroup CutterRules::cancel(const PathEnd& former, const PathEnd& latter) const {
-  const auto kind = detour(former, latter, !former.is_arc());
-  if (!kind) return {square_to_former(former)};
-  if (*kind == CornerClass::inner || *kind == CornerClass::straight) {
-    recorder().reach(Clause::fanuc_cutter_c_cancel_inner);
-    return {square_to_former(former)};
+VectorGroup CutterRules::start_or_cancel(const PathEnd& former, const PathEnd& latter, bool cancels) const {
+  const auto alone = [&]() -> VectorGroup { return {cancels ? square_to_former(former) : square_to_latter(latter)}; };
+  if (!recorder_.decide(Clause::fanuc_cutter_c_start_up_type, type_b_)) return alone();
+  const CornerClass kind = classify(recorder_, former, latter);
+  const bool of_line = !(cancels ? former : latter).is_arc();
+  if (kind == CornerClass::acute && of_line && is_under_one_degree(recorder_, former, latter)) return alone();
+  if (kind == CornerClass::inner || kind == CornerClass::straight) {
+    recorder_.reach(cancels ? Clause::fanuc_cutter_c_cancel_inner : Clause::fanuc_cutter_c_start_up_inner);
+    return alone();
   }
-  recorder().reach(*kind == CornerClass::obtuse ? Clause::fanuc_cutter_c_cancel_obtuse
-                                                : Clause::fanuc_cutter_c_cancel_acute);
-  return way_round(*kind, former, latter, former.is_arc(), true);
+  if (kind == CornerClass::obtuse)
+    recorder_.reach(cancels ? Clause::fanuc_cutter_c_cancel_obtuse : Clause::fanuc_cutter_c_start_up_obtuse);
+  else
+    recorder_.reach(cancels ? Clause::fanuc_cutter_c_cancel_acute : Clause::fanuc_cutter_c_start_up_acute);
+  return way_round(kind, former, latter, !cancels || former.is_arc(), cancels || latter.is_arc());
 }
 
 // fanuc.cutter-c.cancel-direction-parallel: If the direction given with G40 makes no intersection (it is parallel to
@@ -112,10 +99,10 @@ VectorGroup CutterRules::cancel_along(const PathEnd& former, const PlanePoint& d
   line.heading = heading(direction);
   line.offset = former.offset;
   const Sign turn =
-      recorder().decide(Clause::fanuc_cutter_c_cancel_direction_parallel,
-                        cross(former.heading.along, line.heading.along), former.heading.length * line.heading.length);
-  if (turn != Sign::zero && have_offset_paths(recorder(), former, line))
-    if (const auto meeting = paths_meet(recorder(), former, line)) return {{*meeting, Seat::on, Seat::on}};
+      recorder_.decide(Clause::fanuc_cutter_c_cancel_direction_parallel,
+                       cross(former.heading.along, line.heading.along), former.heading.length * line.heading.length);
+  if (turn != Sign::zero && have_offset_paths(recorder_, former, line))
+    if (const auto meeting = paths_meet(recorder_, former, line)) return {{*meeting, Seat::on, Seat::on}};
   return {square_to_former(former)};
 }
 
@@ -129,7 +116,7 @@ void CutterRules::drop_small_movements(VectorGroup& group, const OffsetPath& lat
   if (latter.is_arc()) {
     const Heading& from = latter.start.heading;
     const Heading& to = latter.end.heading;
-    if (!is_under_half_circle({from.along, to.along, latter.start.turn, {}, true}, from.length * to.length)) return;
+    if (!is_under_half_circle(recorder_, latter.start.turn, from.along, to.along, from.length * to.length)) return;
   }
   if (smallest_move_ < 0) return;
   VectorGroup kept{group.front()};
@@ -149,7 +136,7 @@ void CutterRules::drop_small_movements(VectorGroup& group, const OffsetPath& lat
 bool CutterRules::is_small(const PlanePoint& movement, const Rational& offset) const {
   const Rational scale = smallest_move_ + 4 * abs(offset);
   const auto within = [&](const Real& margin) {
-    return recorder().decide(Clause::fanuc_cutter_c_small_corner_movement, margin, scale) != Sign::negative;
+    return recorder_.decide(Clause::fanuc_cutter_c_small_corner_movement, margin, scale) != Sign::negative;
   };
   return std::ranges::all_of(movement, [&](const Real& component) {
     return within(smallest_move_ - component) && within(smallest_move_ + component);

@@ -20,7 +20,7 @@ struct CutterCorner {
   std::optional<PlanePoint> direction;  // of the I J of its G40, not zero
 };
 
-class CutterRules : public CornerRules {
+class CutterRules {
  public:
   // Parameters 5003#0 and 5010.
   CutterRules(const spec::Setup& setup, Recorder& recorder);
@@ -29,19 +29,16 @@ class CutterRules : public CornerRules {
   [[nodiscard]] std::optional<VectorGroup> group(const CutterCorner& corner) const;
 
   // The single rules. The offset at the end of `former` is not 0.
-  [[nodiscard]] VectorGroup start_up(const PathEnd& former, const PathEnd& latter) const;
-  [[nodiscard]] VectorGroup cancel(const PathEnd& former, const PathEnd& latter) const;
+  [[nodiscard]] VectorGroup start_or_cancel(const PathEnd& former, const PathEnd& latter, bool cancels) const;
   [[nodiscard]] VectorGroup cancel_along(const PathEnd& former, const PlanePoint& direction) const;
   void drop_small_movements(VectorGroup& group, const OffsetPath& latter) const;
 
  private:
   [[nodiscard]] std::optional<VectorGroup> by_first_rule(const CutterCorner& corner) const;
-  // The class of a corner of start-up or cancel of type B, or nothing where it has one perpendicular vector as in
-  // type A. `to_line`: the block of the offset mode there is a line.
-  [[nodiscard]] std::optional<CornerClass> detour(const PathEnd& former, const PathEnd& latter, bool to_line) const;
   // `movement`: from head to head of a group made with this offset.
   [[nodiscard]] bool is_small(const PlanePoint& movement, const Rational& offset) const;
 
+  Recorder& recorder_;
   bool type_b_;             // 5003#0, SUP
   Rational smallest_move_;  // 5010, setup units
 };

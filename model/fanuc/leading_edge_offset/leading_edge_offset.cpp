@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Leading edge offset: G41.3 and G40. A pass over the blocks in order, each with those that follow it: one that moves,
 // and one other. spec/formal/program/EdgePass.v has the same functions.
-#include "model/fanuc/leading_edge_offset/leading_edge_offset.h"
-
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -10,18 +8,25 @@
 
 #include "model/basis/alarm.h"
 #include "model/fanuc/leading_edge_offset/rules.h"
+#include "model/fanuc/passes/passes.h"
 #include "model/fanuc/passes/window.h"
-#include "model/fanuc/program/pass.h"
 
 namespace toolcomp::model {
+
+// What a block says to the leading edge offset, where that is on before it or from it on.
+struct EdgeBlock {
+  enum class Code : std::uint8_t { none, start, cancel };
+  Code code = Code::none;
+  Rational radius;  // offset of the D number in force at the end of the block, but for a cancel block
+};
+
 namespace {
 
 // Gives every move its compensation vector (Move::offset). Clauses: fanuc.leading-edge.*.
 class LeadingEdgeOffset : public Pass {
  public:
   // Throws spec::InputError naming parameter 19631.
-  explicit LeadingEdgeOffset(const Place& place)
-      : Pass(place), memory_(place.memory), rules_(place.setup, place.recorder) {}
+  explicit LeadingEdgeOffset(const Place& place) : Pass(place), rules_(place.setup, place.recorder) {}
 
   [[nodiscard]] Extent extent() const override { return Extent::space; }
   [[nodiscard]] int look_ahead() const override { return 2; }
@@ -69,7 +74,7 @@ class LeadingEdgeOffset : public Pass {
     if (!active_ && block->code == Code::none) return;
     if (block->code != Code::cancel) {
       forbid(now);
-      block->radius = memory_.d(number_);
+      block->radius = memory().d(number_);
       // fanuc.leading-edge.number-changed: Another D while the mode is on counts for the vector at the end of the block
       // that has it. A vector that is kept keeps its length.
       recorder().decide(Clause::fanuc_leading_edge_number_changed, active_ && codes.d.has_value());
@@ -98,15 +103,11 @@ class LeadingEdgeOffset : public Pass {
   // Throws Alarm PS5407 or PS5408 of a G41.3 block.
   OwnedStep next() override {
     if (window_.empty()) return nullptr;
-    const Planned& front = window_.front();
-    Coming coming;
-    if (front.code == EdgeBlock::Code::start || front.travels) {
-      coming = what_comes();
-      if (coming.kind == Coming::Kind::unknown) return nullptr;
-    }
+    const auto ahead = look();
+    if (!ahead) return nullptr;
     Planned b = window_.pop();
     recorder().at(b.step->line);
-    make_moves(b, coming);
+    make_moves(b, *ahead);
     return std::move(b.step);
   }
 
@@ -116,23 +117,11 @@ class LeadingEdgeOffset : public Pass {
     EdgeBlock::Code code = EdgeBlock::Code::none;
     bool travels = false;  // it has a linear movement, X Y Z
   };
-  // What follows a block that makes a vector.
-  struct Coming {
-    enum class Kind : std::uint8_t {
-      unknown,  // as far as the program has been read, or not asked
-      moves,    // a block with a linear movement
-      cancels,  // the block that cancels the mode
-      none      // neither, by `why`
-    };
-    Kind kind = Kind::unknown;
-    const Planned* next = nullptr;
-    bool between = false;  // blocks without movement come between
-    Clause why{};
-  };
+  // The next block is one with a linear movement, or the one that cancels the mode.
+  using Ahead = Window<Planned>::Ahead;
 
   [[nodiscard]] std::uint32_t number(const Command& command) const { return command.codes.d.value_or(number_); }
 
-  const OffsetMemory& memory_;
   void forbid(const BlockWords& now) const {
     const Codes& codes = now.command.codes;
     const bool other = codes.compensation && (is_cutter_side(*codes.compensation) || is_tool_side(*codes.compensation));
@@ -157,27 +146,27 @@ class LeadingEdgeOffset : public Pass {
   // block.
   // fanuc.leading-edge.kept-at-the-end: At the end of the program, and before a block that ends the run by an alarm,
   // the vector made before is kept.
-  [[nodiscard]] Coming what_comes() const {
-    using Kind = Coming::Kind;
-    const bool starts = window_.front().code == EdgeBlock::Code::start;
+  [[nodiscard]] std::optional<Ahead> look() const {
+    const bool starts = window_[0].code == EdgeBlock::Code::start;
+    if (!starts && !window_[0].travels) return Ahead{};
     int still = 0;
-    for (std::size_t i = 0; i < window_.following(); ++i) {
-      const Planned& b = window_.after(i);
-      if (b.travels) return {Kind::moves, &b, i > 0, {}};
-      if (starts) return {Kind::none};
-      if (b.step->stops_look_ahead)
-        return {.kind = Kind::none, .why = Clause::fanuc_leading_edge_kept_without_look_ahead};
-      if (b.code == EdgeBlock::Code::cancel) return {Kind::cancels};
-      if (++still == 2) return {.kind = Kind::none, .why = Clause::fanuc_leading_edge_two_blocks_without_movement};
+    for (std::size_t i = 1; i < window_.size(); ++i) {
+      const Planned& b = window_[i];
+      if (b.travels) return Ahead{.next = &b, .between = i > 1};
+      if (starts) return Ahead{};
+      if (b.step->stops_look_ahead) return Ahead{.why = Clause::fanuc_leading_edge_kept_without_look_ahead};
+      if (b.code == EdgeBlock::Code::cancel) return Ahead{&b};
+      if (++still == 2) return Ahead{.why = Clause::fanuc_leading_edge_two_blocks_without_movement};
     }
-    return {.kind = window_.ended() ? Kind::none : Kind::unknown, .why = Clause::fanuc_leading_edge_kept_at_the_end};
+    if (!window_.ended()) return std::nullopt;
+    return Ahead{.why = Clause::fanuc_leading_edge_kept_at_the_end};
   }
 
   // The moves of a block, and the vector at its end.
-  void make_moves(Planned& b, const Coming& coming) {
+  void make_moves(Planned& b, const Ahead& ahead) {
     switch (b.code) {
       case EdgeBlock::Code::start:
-        vector_ = vector_at_start(b, coming);
+        vector_ = vector_at_start(b, ahead);
         insert_move(*b.step, spec::Cause::start_up);
         break;
       case EdgeBlock::Code::cancel:
@@ -188,38 +177,36 @@ class LeadingEdgeOffset : public Pass {
         insert_move(*b.step, spec::Cause::cancel);
         break;
       case EdgeBlock::Code::none:
-        if (b.travels) vector_ = vector_at_end(b, coming);
+        if (b.travels) vector_ = vector_at_end(b, ahead);
         break;
     }
     b.step->clauses.add(recorder().take_clauses());
     for (Move& move : b.step->moves) move.offset = vector_.vector;
   }
 
-  [[nodiscard]] EdgeVector vector_at_end(const Planned& b, const Coming& coming) const {
-    switch (coming.kind) {
-      case Coming::Kind::moves:
-        recorder().decide(Clause::fanuc_leading_edge_one_block_without_movement, coming.between);
-        return rules_.next(vector_, coming.next->step->moves.front().leg.travel, b.step->rest.tool,
-                           b.step->words.edge->radius);
-      case Coming::Kind::cancels:
-        // fanuc.leading-edge.before-cancel: The block before G40 makes its vector from its own movement and the tool
-        // direction at its end. That the ranges near 0, 90 and 180 degrees hold here too, and that one block without
-        // movement may come between, is our definition.
-        recorder().reach(Clause::fanuc_leading_edge_before_cancel);
-        return rules_.next(vector_, b.step->moves.front().leg.travel, b.step->rest.tool, b.step->words.edge->radius);
-      default:
-        recorder().reach(coming.why);
-        return vector_;
+  [[nodiscard]] EdgeVector vector_at_end(const Planned& b, const Ahead& ahead) const {
+    if (ahead.next == nullptr) {
+      recorder().reach(ahead.why);
+      return vector_;
     }
+    const bool moves = ahead.next->travels;
+    // fanuc.leading-edge.before-cancel: The block before G40 makes its vector from its own movement and the tool
+    // direction at its end. That the ranges near 0, 90 and 180 degrees hold here too, and that one block without
+    // movement may come between, is our definition.
+    if (moves)
+      recorder().decide(Clause::fanuc_leading_edge_one_block_without_movement, ahead.between);
+    else
+      recorder().reach(Clause::fanuc_leading_edge_before_cancel);
+    return rules_.next(vector_, movement(moves ? *ahead.next : b), b.step->rest.tool, b.step->words.edge->radius);
   }
 
-  [[nodiscard]] EdgeVector vector_at_start(const Planned& b, const Coming& coming) {
+  [[nodiscard]] EdgeVector vector_at_start(const Planned& b, const Ahead& ahead) {
     try {
       // fanuc.leading-edge.no-movement-after-start: The G41.3 block raises PS5407 if the block right after it has no
       // linear movement: no travel in X Y Z, G40, the end of the program, or a block that raises an alarm of its own.
-      if (coming.kind != Coming::Kind::moves)
+      if (ahead.next == nullptr)
         raise(recorder(), Clause::fanuc_leading_edge_no_movement_after_start, AlarmCause::leading_edge_command);
-      return rules_.first(coming.next->step->moves.front().leg.travel, b.step->rest.tool, b.step->words.edge->radius);
+      return rules_.first(movement(*ahead.next), b.step->rest.tool, b.step->words.edge->radius);
     } catch (Alarm& alarm) {
       alarm.line = b.step->line;
       alarm.n = b.step->n;
@@ -227,6 +214,8 @@ class LeadingEdgeOffset : public Pass {
       throw;
     }
   }
+
+  [[nodiscard]] static const Vector& movement(const Planned& b) { return b.step->moves.front().leg.travel; }
 
   // One move, made where the block ends.
   void insert_move(Step& b, spec::Cause cause) {

@@ -23,12 +23,6 @@ EdgeVector EdgeRules::vector(Sense sense, const Vector& movement, const Directio
   return {(signed_radius / sqrt(length2)) * cross(normal, tool.vector), sense};
 }
 
-// fanuc.leading-edge.sign: The angle between the tool direction and the movement tells the side: below 90 degrees the
-// tool leans forward and the vector points backward, above 90 degrees it leans back and the vector points forward.
-Sign EdgeRules::lean(const Real& product, const Real& lengths2) const {
-  return recorder_.decide(Clause::fanuc_leading_edge_sign, product, sqrt(lengths2));
-}
-
 // fanuc.leading-edge.fluctuation: Parameter 19631 is the fluctuation D: within D, an angle near 0, 90 or 180 degrees
 // counts as that angle. The ranges include their ends. D is in degrees and usually about 1; 1 is used if the setup
 // gives none. A setup with a value above 90 or below -90 is refused.
@@ -53,23 +47,25 @@ EdgeRules::EdgeRules(const spec::Setup& setup, Recorder& recorder) : recorder_(r
 EdgeCase EdgeRules::classify(const Vector& movement, const Direction& tool) const {
   const Real product = dot(movement, tool.vector);
   const Real lengths2 = squared_norm(movement) * tool.norm2;
-  const Sign side = lean(product, lengths2);
+  // fanuc.leading-edge.sign: The angle between the tool direction and the movement tells the side: below 90 degrees the
+  // tool leans forward and the vector points backward, above 90 degrees it leans back and the vector points forward.
+  const Sign side = recorder_.decide(Clause::fanuc_leading_edge_sign, product, sqrt(lengths2));
   if (side == Sign::zero) return {EdgeAngle::across, side};
 
   const Real product2 = square(product);
-  const bool ahead = side == Sign::positive;
   // fanuc.leading-edge.order-of-ranges: From D = 45 on, the ranges overlap; they are tested in the order 0, 180, 90.
   recorder_.decide(Clause::fanuc_leading_edge_order_of_ranges, overlapping_);
-  const Clause near_parallel = ahead ? Clause::fanuc_leading_edge_near_0 : Clause::fanuc_leading_edge_near_180;
+  const Clause near_parallel =
+      side == Sign::positive ? Clause::fanuc_leading_edge_near_0 : Clause::fanuc_leading_edge_near_180;
   if (recorder_.decide(near_parallel, product2 - cosine2_ * lengths2, lengths2) != Sign::negative)
-    return {ahead ? EdgeAngle::along : EdgeAngle::against, side};
+    return {EdgeAngle::along, side};
   // fanuc.leading-edge.exact-only: If 19631 is 0 or below, only exact angles of 0, 90 and 180 degrees count as such.
   // The range of the parameter admits negative values; the manual gives them no meaning.
   // fanuc.leading-edge.near-90: An angle from 90 - D to 90 + D counts as 90 degrees.
   if (!recorder_.decide(Clause::fanuc_leading_edge_exact_only, exact_only_) &&
       recorder_.decide(Clause::fanuc_leading_edge_near_90, sine2_ * lengths2 - product2, lengths2) != Sign::negative)
     return {EdgeAngle::across, side};
-  return {ahead ? EdgeAngle::forward : EdgeAngle::back, side};
+  return {EdgeAngle::leaning, side};
 }
 
 // fanuc.leading-edge.kept-along-the-tool: At an angle that counts as 0 or 180 degrees, the vector of the block before
@@ -78,20 +74,14 @@ EdgeCase EdgeRules::classify(const Vector& movement, const Direction& tool) cons
 // VT), on the side of the vector before it.
 EdgeVector EdgeRules::next(const EdgeVector& before, const Vector& movement, const Direction& tool,
                            const Rational& radius) const {
-  switch (classify(movement, tool).angle) {
-    case EdgeAngle::along:
-    case EdgeAngle::against:
-      recorder_.reach(Clause::fanuc_leading_edge_kept_along_the_tool);
-      return before;
-    case EdgeAngle::across:
-      recorder_.decide(Clause::fanuc_leading_edge_across_keeps_sense, before.sense == Sense::backward);
-      return vector(before.sense, movement, tool, radius);
-    case EdgeAngle::forward:
-      return vector(Sense::backward, movement, tool, radius);
-    case EdgeAngle::back:
-      return vector(Sense::forward, movement, tool, radius);
+  const EdgeCase found = classify(movement, tool);
+  if (found.angle == EdgeAngle::along) {
+    recorder_.reach(Clause::fanuc_leading_edge_kept_along_the_tool);
+    return before;
   }
-  return before;
+  if (found.angle == EdgeAngle::leaning) return vector(static_cast<Sense>(found.lean), movement, tool, radius);
+  recorder_.decide(Clause::fanuc_leading_edge_across_keeps_sense, before.sense == Sense::backward);
+  return vector(before.sense, movement, tool, radius);
 }
 
 // fanuc.leading-edge.start: At G41.3 the tool moves from the programmed point by the vector that is made of the tool
@@ -99,25 +89,16 @@ EdgeVector EdgeRules::next(const EdgeVector& before, const Vector& movement, con
 EdgeVector EdgeRules::first(const Vector& movement, const Direction& tool, const Rational& radius) const {
   recorder_.reach(Clause::fanuc_leading_edge_start);
   const EdgeCase found = classify(movement, tool);
-  switch (found.angle) {
-    case EdgeAngle::along:
-    case EdgeAngle::against:
-      // fanuc.leading-edge.start-along-the-tool: At the start, an angle that counts as 0 or 180 degrees raises PS5408
-      // at the G41.3 block. That the ranges of 19631 hold here is our definition.
-      raise(recorder_, Clause::fanuc_leading_edge_start_along_the_tool, AlarmCause::leading_edge_start);
-    case EdgeAngle::across: {
-      // fanuc.leading-edge.start-across: At the start there is no vector before, so at an angle that counts as 90
-      // degrees the sign of the angle itself decides (fanuc.leading-edge.sign). An exact right angle counts as if the
-      // tool leaned forward.
-      const bool backward = recorder_.decide(Clause::fanuc_leading_edge_start_across, found.lean != Sign::negative);
-      return vector(backward ? Sense::backward : Sense::forward, movement, tool, radius);
-    }
-    case EdgeAngle::forward:
-      return vector(Sense::backward, movement, tool, radius);
-    case EdgeAngle::back:
-      break;
-  }
-  return vector(Sense::forward, movement, tool, radius);
+  // fanuc.leading-edge.start-along-the-tool: At the start, an angle that counts as 0 or 180 degrees raises PS5408 at
+  // the G41.3 block. That the ranges of 19631 hold here is our definition.
+  if (found.angle == EdgeAngle::along)
+    raise(recorder_, Clause::fanuc_leading_edge_start_along_the_tool, AlarmCause::leading_edge_start);
+  const bool backward = found.lean != Sign::negative;
+  // fanuc.leading-edge.start-across: At the start there is no vector before, so at an angle that counts as 90 degrees
+  // the sign of the angle itself decides (fanuc.leading-edge.sign). An exact right angle counts as if the tool leaned
+  // forward.
+  if (found.angle == EdgeAngle::across) recorder_.decide(Clause::fanuc_leading_edge_start_across, backward);
+  return vector(backward ? Sense::backward : Sense::forward, movement, tool, radius);
 }
 
 }  // namespace toolcomp::model

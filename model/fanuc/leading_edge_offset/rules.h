@@ -20,14 +20,12 @@ struct EdgeVector {
 
 // How the angle between the tool direction VT and the movement VM counts, with the fluctuation of parameter 19631.
 enum class EdgeAngle : std::uint8_t {
-  along,    // as 0°
-  against,  // as 180°
-  across,   // as 90°
-  forward,  // under 90°: the tool leans forward
-  back      // over 90°
+  along,   // as 0° or 180°
+  across,  // as 90°
+  leaning  // between
 };
 
-// The class of an angle, and the sign of the scalar product it was told by.
+// The class of an angle, and the sign of the scalar product it was told by: positive where the tool leans forward.
 struct EdgeCase {
   EdgeAngle angle = EdgeAngle::across;
   Sign lean = Sign::zero;
@@ -50,8 +48,6 @@ class EdgeRules {
   // ±R·V/|V| with V = (VM × VT) × VT.
   [[nodiscard]] EdgeVector vector(Sense sense, const Vector& movement, const Direction& tool,
                                   const Rational& radius) const;
-  // By the scalar product; `lengths2` is |VM|² |VT|².
-  [[nodiscard]] Sign lean(const Real& product, const Real& lengths2) const;
   [[nodiscard]] EdgeCase classify(const Vector& movement, const Direction& tool) const;
 
   Recorder& recorder_;

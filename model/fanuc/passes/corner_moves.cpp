@@ -75,9 +75,7 @@ void end_at(Move& own, const SpaceVector& head, ToolArcRun* run, Passage passage
     own.leg.arc.reset();
     return;
   }
-  const ToolArc tool = run->arc();
-  own.leg.arc->sweep = tool.sweep;
-  own.leg.arc->radius = tool.radius;
+  run->report(*own.leg.arc);
 }
 
 void change_alone(Step& step, spec::Cause cause, bool changes) {

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/fanuc/passes/passes.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace toolcomp::model {
+
+std::vector<PassMaker> sections(const spec::Setup& setup) {
+  const bool type_b = setup.cutter_compensation == spec::CutterCompensationType::b;
+  return {leading_edge_offset, type_b ? cutter_compensation_b : cutter_compensation_c, tool_side_compensation};
+}
 
 Passes::Passes(const std::vector<PassMaker>& makers, const Pass::Place& place) {
   for (const PassMaker make : makers) passes_.push_back(make(place));
@@ -18,10 +22,6 @@ Passes::InForce Passes::in_force(Extent extent, const Command& command) const {
     result.after = result.after || pass->on_after(command);
   }
   return result;
-}
-
-bool Passes::takes_arc_about_its_start(const Command& command) const {
-  return std::ranges::any_of(passes_, [&](const auto& pass) { return pass->takes_arc_about_its_start(command); });
 }
 
 void Passes::refuse_rotary_word(const Command& command) const {

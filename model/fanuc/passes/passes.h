@@ -12,6 +12,14 @@
 namespace toolcomp::model {
 
 using PassMaker = std::unique_ptr<Pass> (*)(const Pass::Place& place);
+// The passes of compensation that there are, each in the folder of its name. Throw spec::InputError naming parameter
+// 19631 (leading edge offset), 19625, and for tool side compensation others.
+std::unique_ptr<Pass> leading_edge_offset(const Pass::Place& place);
+std::unique_ptr<Pass> cutter_compensation_b(const Pass::Place& place);
+std::unique_ptr<Pass> cutter_compensation_c(const Pass::Place& place);
+std::unique_ptr<Pass> tool_side_compensation(const Pass::Place& place);
+// Those of a setup, in the order in which a step goes through them.
+std::vector<PassMaker> sections(const spec::Setup& setup);
 
 // Asks every pass alike, and knows none of them.
 class Passes {
@@ -28,8 +36,7 @@ class Passes {
 
   // Whether a compensation of this extent is on: Pass::on, Pass::on_after.
   [[nodiscard]] InForce in_force(Extent extent, const Command& command) const;
-  // Pass::takes_arc_about_its_start, Pass::refuse_rotary_word.
-  [[nodiscard]] bool takes_arc_about_its_start(const Command& command) const;
+  // Pass::refuse_rotary_word.
   void refuse_rotary_word(const Command& command) const;
 
   // Pass::read of the passes of this extent, in order; Pass::see of all.

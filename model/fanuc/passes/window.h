@@ -6,6 +6,8 @@
 #include <deque>
 #include <utility>
 
+#include "spec/clauses/clauses.h"
+
 namespace toolcomp::model {
 
 // A block enters when it is planned, and leaves when its moves are made. Between the two the pass looks at the blocks
@@ -13,6 +15,14 @@ namespace toolcomp::model {
 template <class Block>
 class Window {
  public:
+  // What follows the first block.
+  struct Ahead {
+    const Block* next = nullptr;  // the block that its vectors are made with; without it `why` says that there is none
+    bool repeated = false;        // the code is repeated in that block, or in one between
+    bool between = false;         // blocks without motion come between
+    spec::Clause why{};
+  };
+
   void push(Block block) { blocks_.push_back(std::move(block)); }
   // No block follows those that are here.
   void end() { ended_ = true; }
@@ -20,7 +30,6 @@ class Window {
   void clear() { blocks_.clear(); }
 
   [[nodiscard]] bool empty() const { return blocks_.empty(); }
-  [[nodiscard]] const Block& front() const { return blocks_.front(); }
   [[nodiscard]] Block& back() { return blocks_.back(); }
   // Takes the first block out. References to the others stay valid.
   Block pop() {
@@ -29,9 +38,9 @@ class Window {
     return block;
   }
 
-  // The blocks that follow the first one, as far as they are known.
-  [[nodiscard]] std::size_t following() const { return blocks_.size() - 1; }
-  [[nodiscard]] const Block& after(std::size_t i) const { return blocks_[i + 1]; }
+  // The first block, and those that follow it as far as they are known.
+  [[nodiscard]] const Block& operator[](std::size_t i) const { return blocks_[i]; }
+  [[nodiscard]] std::size_t size() const { return blocks_.size(); }
   [[nodiscard]] bool ended() const { return ended_; }
 
  private:

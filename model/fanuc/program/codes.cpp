@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/fanuc/program/codes.h"
 
-#include <utility>
+#include <algorithm>
+#include <iterator>
 
 #include "model/basis/alarm.h"
 #include "model/fanuc/program/offset_memory.h"
@@ -23,7 +24,61 @@ std::optional<std::uint64_t> tenths(const spec::Decimal& value) {
   return decimals == 1 ? digits : digits * 10;
 }
 
+using enum spec::GCode;
+
+// The codes of a group, and what they are there.
+template <class Code>
+struct Named {
+  spec::GCode name;
+  Code code;
+};
+constexpr Named<Motion> kMotions[] = {
+    {kG00, Motion::rapid}, {kG01, Motion::linear}, {kG02, Motion::arc_cw}, {kG03, Motion::arc_ccw}};
+constexpr Named<OneShot> kOneShots[] = {{kG04, OneShot::dwell},
+                                        {kG10, OneShot::data},
+                                        {kG28, OneShot::reference},
+                                        {kG29, OneShot::from_reference},
+                                        {kG30, OneShot::other_reference},
+                                        {kG30_1, OneShot::floating_reference},
+                                        {kG37, OneShot::measure},
+                                        {kG39, OneShot::corner_arc},
+                                        {kG45, OneShot::increase},
+                                        {kG46, OneShot::decrease},
+                                        {kG47, OneShot::double_increase},
+                                        {kG48, OneShot::double_decrease},
+                                        {kG52, OneShot::local_coordinates},
+                                        {kG53, OneShot::machine_coordinates},
+                                        {kG92, OneShot::shift}};
+constexpr Named<spec::Plane> kPlanes[] = {{kG17, spec::Plane::xy}, {kG18, spec::Plane::zx}, {kG19, spec::Plane::yz}};
+constexpr Named<spec::Units> kUnits[] = {{kG20, spec::Units::inch}, {kG21, spec::Units::mm}};
+constexpr Named<Compensation> kCompensations[] = {{kG40, Compensation::cancel},
+                                                  {kG41, Compensation::left},
+                                                  {kG41_2, Compensation::tool_side_left},
+                                                  {kG41_3, Compensation::leading_edge},
+                                                  {kG41_6, Compensation::directed_tool_side_left},
+                                                  {kG42, Compensation::right},
+                                                  {kG42_2, Compensation::tool_side_right},
+                                                  {kG42_6, Compensation::directed_tool_side_right}};
+constexpr Named<LengthCode> kLengthCodes[] = {{kG43, LengthCode::plus},
+                                              {kG43_4, LengthCode::tip_control},
+                                              {kG43_5, LengthCode::tool_direction},
+                                              {kG44, LengthCode::minus},
+                                              {kG49, LengthCode::cancel}};
 constexpr std::size_t kAdditional = 6;  // of G54.1 P1
+constexpr Named<std::size_t> kWorkpieces[] = {
+    {kG54, 0}, {kG55, 1}, {kG56, 2}, {kG57, 3}, {kG58, 4}, {kG59, 5}, {kG54_1, kAdditional}};
+constexpr Named<Cycle> kCycles[] = {{kG73, Cycle::pecking}, {kG74, Cycle::other},       {kG76, Cycle::other},
+                                    {kG80, Cycle::cancel},  {kG81, Cycle::other},       {kG82, Cycle::other},
+                                    {kG83, Cycle::pecking}, {kG84, Cycle::other},       {kG85, Cycle::other},
+                                    {kG86, Cycle::other},   {kG87, Cycle::back_boring}, {kG88, Cycle::other},
+                                    {kG89, Cycle::other}};
+constexpr Named<bool> kIncremental[] = {{kG90, false}, {kG91, true}};
+constexpr Named<bool> kFeedPerMinute[] = {{kG93, false}, {kG94, true}, {kG95, false}};
+constexpr Named<bool> kToInitialLevel[] = {{kG98, true}, {kG99, false}};
+constexpr spec::GCode kLettersAreData[] = {kG04, kG05, kG05_1, kG10, kG22, kG50_1};
+constexpr spec::GCode kWithoutEffect[] = {kG05, kG05_1, kG08, kG09,   kG11,   kG13_1, kG15,   kG22, kG23,
+                                          kG25, kG40_1, kG50, kG50_1, kG50_2, kG61,   kG61_1, kG62, kG63,
+                                          kG64, kG67,   kG69, kG96,   kG97,   kG113,  kG150,  kG160};
 
 class Reader {
  public:
@@ -34,184 +89,37 @@ class Reader {
 
   // False if there is no such code.
   bool read(std::uint64_t code) {
-    using enum spec::GCode;
-    switch (code) {
-      case kG00:
-        return group(codes_.motion, Motion::rapid);
-      case kG01:
-        return group(codes_.motion, Motion::linear);
-      case kG02:
-        return group(codes_.motion, Motion::arc_cw);
-      case kG03:
-        return group(codes_.motion, Motion::arc_ccw);
-      case kG04:
-        codes_.letters_are_data = true;
-        return one_shot(OneShot::dwell);
-      case kG05:
-        codes_.refused_in_space = codes_.refused_in_space || !high_speed_;
-        [[fallthrough]];
-      case kG05_1:
-      case kG22:
-      case kG50_1:
-        codes_.letters_are_data = true;
-        return without_effect();
-      case kG08:
-      case kG09:
-      case kG11:
-      case kG13_1:
-      case kG15:
-      case kG23:
-      case kG25:
-      case kG40_1:
-      case kG50:
-      case kG50_2:
-      case kG61:
-      case kG61_1:
-      case kG62:
-      case kG63:
-      case kG64:
-      case kG67:
-      case kG69:
-      case kG113:
-      case kG150:
-        return without_effect();
-      case kG96:
-      case kG97:
-      case kG160:
-        codes_.refused_in_space = true;
-        return without_effect();
-      case kG10:
-        codes_.letters_are_data = true;
-        return one_shot(OneShot::data);
-      case kG17:
-        return group(codes_.plane, spec::Plane::xy);
-      case kG18:
-        return group(codes_.plane, spec::Plane::zx);
-      case kG19:
-        return group(codes_.plane, spec::Plane::yz);
-      case kG20:
-        return group(codes_.units, spec::Units::inch);
-      case kG21:
-        return group(codes_.units, spec::Units::mm);
-      case kG28:
-        return one_shot(OneShot::reference);
-      case kG29:
-        return one_shot(OneShot::from_reference);
-      case kG30:
-        return one_shot(OneShot::other_reference);
-      case kG30_1:
-        return one_shot(OneShot::floating_reference);
-      case kG37:
-        return one_shot(OneShot::measure);
-      case kG39:
-        return one_shot(OneShot::corner_arc);
-      case kG40:
-        return group(codes_.compensation, Compensation::cancel);
-      case kG41:
-        return group(codes_.compensation, Compensation::left);
-      case kG41_2:
-        return group(codes_.compensation, Compensation::tool_side_left);
-      case kG41_3:
-        return group(codes_.compensation, Compensation::leading_edge);
-      case kG41_6:
-        return group(codes_.compensation, Compensation::directed_tool_side_left);
-      case kG42:
-        return group(codes_.compensation, Compensation::right);
-      case kG42_2:
-        return group(codes_.compensation, Compensation::tool_side_right);
-      case kG42_6:
-        return group(codes_.compensation, Compensation::directed_tool_side_right);
-      case kG43:
-        return group(codes_.length, LengthCode::plus);
-      case kG43_4:
-        return group(codes_.length, LengthCode::tip_control);
-      case kG43_5:
-        return group(codes_.length, LengthCode::tool_direction);
-      case kG44:
-        return group(codes_.length, LengthCode::minus);
-      case kG45:
-        return one_shot(OneShot::increase);
-      case kG46:
-        return one_shot(OneShot::decrease);
-      case kG47:
-        return one_shot(OneShot::double_increase);
-      case kG48:
-        return one_shot(OneShot::double_decrease);
-      case kG49:
-        return group(codes_.length, LengthCode::cancel);
-      case kG52:
-        return one_shot(OneShot::local_coordinates);
-      case kG53:
-        return one_shot(OneShot::machine_coordinates);
-      case kG54:
-      case kG55:
-      case kG56:
-      case kG57:
-      case kG58:
-      case kG59:
-        return group(codes_.workpiece, static_cast<std::size_t>((code - kG54) / 10));
-      case kG54_1:
-        return group(codes_.workpiece, kAdditional);
-      case kG73:
-      case kG83:
-        return group(codes_.cycle, Cycle::pecking);
-      case kG74:
-      case kG76:
-      case kG81:
-      case kG82:
-      case kG84:
-      case kG85:
-      case kG86:
-      case kG88:
-      case kG89:
-        return group(codes_.cycle, Cycle::other);
-      case kG80:
-        return group(codes_.cycle, Cycle::cancel);
-      case kG87:
-        return group(codes_.cycle, Cycle::back_boring);
-      case kG90:
-        return group(codes_.incremental, false);
-      case kG91:
-        return group(codes_.incremental, true);
-      case kG92:
-        return one_shot(OneShot::shift);
-      case kG93:
-      case kG95:
-        return group(codes_.feed_per_minute, false);
-      case kG94:
-        return group(codes_.feed_per_minute, true);
-      case kG98:
-        return group(codes_.to_initial_level, true);
-      case kG99:
-        return group(codes_.to_initial_level, false);
-      default:
-        return false;
+    codes_.letters_are_data = codes_.letters_are_data || std::ranges::count(kLettersAreData, code) > 0;
+    codes_.refused_in_space =
+        codes_.refused_in_space || code == kG96 || code == kG97 || code == kG160 || (code == kG05 && !high_speed_);
+    // fanuc.program.without-effect: G05 G05.1 G08 G09 G11 G13.1 G15 G22 G23 G25 G40.1 G50 G50.1 G50.2 G61 G61.1 G62 G63
+    // G64 G67 G69 G96 G97 G113 G150 and G160 change nothing here. They cancel what is not supported, or they say how
+    // fast and how exactly the tool runs a path, not where the path is.
+    if (std::ranges::count(kWithoutEffect, code) > 0) {
+      recorder_.reach(Clause::fanuc_program_without_effect);
+      return true;
     }
+    return is_in(kMotions, code, codes_.motion) || is_in(kOneShots, code, codes_.one_shot) ||
+           is_in(kPlanes, code, codes_.plane) || is_in(kUnits, code, codes_.units) ||
+           is_in(kCompensations, code, codes_.compensation) || is_in(kLengthCodes, code, codes_.length) ||
+           is_in(kWorkpieces, code, codes_.workpiece) || is_in(kCycles, code, codes_.cycle) ||
+           is_in(kIncremental, code, codes_.incremental) || is_in(kFeedPerMinute, code, codes_.feed_per_minute) ||
+           is_in(kToInitialLevel, code, codes_.to_initial_level);
   }
 
  private:
-  // fanuc.program.last-code-of-group: If a block has several G codes of one modal group, the last one counts. G04 G10
-  // G28 G29 G30 G30.1 G37 G39 G45 to G48 G52 G53 and G92 exclude each other in the same way.
-  void repeat() {
-    recorder_.reach(Clause::fanuc_program_last_code_of_group);
-    codes_.repeats = true;
-  }
-  template <class Code>
-  bool group(std::optional<Code>& slot, Code code) {
-    if (slot) repeat();
-    slot = code;
-    return true;
-  }
-  // fanuc.program.without-effect: G05 G05.1 G08 G09 G11 G13.1 G15 G22 G23 G25 G40.1 G50 G50.1 G50.2 G61 G61.1 G62 G63
-  // G64 G67 G69 G96 G97 G113 G150 and G160 change nothing here. They cancel what is not supported, or they say how fast
-  // and how exactly the tool runs a path, not where the path is.
-  bool without_effect() {
-    recorder_.reach(Clause::fanuc_program_without_effect);
-    return true;
-  }
-  bool one_shot(OneShot code) {
-    if (codes_.one_shot != OneShot::none) repeat();
-    codes_.one_shot = code;
+  // `slot`: the code of the group in the block so far.
+  template <class Code, std::size_t N, class Slot>
+  bool is_in(const Named<Code> (&group)[N], std::uint64_t code, Slot& slot) {
+    const auto* const found = std::ranges::find(group, code, &Named<Code>::name);
+    if (found == std::end(group)) return false;
+    // fanuc.program.last-code-of-group: If a block has several G codes of one modal group, the last one counts. G04 G10
+    // G28 G29 G30 G30.1 G37 G39 G45 to G48 G52 G53 and G92 exclude each other in the same way.
+    if (slot != Slot()) {
+      recorder_.reach(Clause::fanuc_program_last_code_of_group);
+      codes_.repeats = true;
+    }
+    slot = found->code;
     return true;
   }
 

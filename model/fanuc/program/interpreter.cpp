@@ -8,9 +8,6 @@
 namespace toolcomp::model {
 namespace {
 
-bool in(AxisMask mask, std::size_t axis) { return (mask >> axis & 1U) != 0; }
-AxisMask bit(std::size_t axis) { return static_cast<AxisMask>(1U << axis); }
-
 // The kind of a straight move under a code of group 01.
 spec::MoveType straight(Motion motion) {
   return motion == Motion::rapid ? spec::MoveType::rapid : spec::MoveType::linear;
@@ -59,7 +56,7 @@ Interpreter::Interpreter(const spec::Setup& setup, Recorder& recorder)
 AxisMask Interpreter::axis_words(const Words& words) const {
   AxisMask mask = 0;
   for (std::size_t i = 0; i < axes_.size(); ++i)
-    if (words.has(axes_.letter(i))) mask = static_cast<AxisMask>(mask | bit(i));
+    if (words.has(axes_.letter(i))) mask = static_cast<AxisMask>(mask | 1U << i);
   return mask;
 }
 
@@ -141,7 +138,7 @@ Leg Interpreter::ordinary(const Command& command, spec::MoveType type) const {
   leg.type = type;
   leg.end = position_;
   for (std::size_t i = 0; i < axes_.size(); ++i) {
-    if (!in(command.axes, i)) continue;
+    if (!command.names(i)) continue;
     const Rational value = word(command, i);
     // fanuc.program.incremental: Under G90 an axis word is the end position in the workpiece coordinate system, under
     // G91 it is the travel from the programmed position. Offsets are not included.
@@ -162,7 +159,7 @@ Leg Interpreter::machine_leg(const Command& command) const {
   leg.type = spec::MoveType::rapid;
   leg.end = position_;
   for (std::size_t i = 0; i < axes_.size(); ++i)
-    if (in(command.axes, i)) go(leg, i, Coordinate(word(command, i)) - work_.zero(i));
+    if (command.names(i)) go(leg, i, Coordinate(word(command, i)) - work_.zero(i));
   return leg;
 }
 
@@ -198,7 +195,7 @@ std::vector<Leg> Interpreter::reference_legs(const Command& command) {
   intermediate.cause = spec::Cause::reference;
   Leg reference_leg = intermediate;
   for (std::size_t i = 0; i < axes_.size(); ++i) {
-    if (!in(command.axes, i)) continue;
+    if (!command.names(i)) continue;
     intermediate_.at(i) = intermediate.end.at(i);
     go(reference_leg, i, Coordinate(reference(command, i)) - work_.zero(i));
   }
@@ -214,7 +211,7 @@ std::vector<Leg> Interpreter::return_legs(const Command& command) const {
   intermediate.type = spec::MoveType::rapid;
   intermediate.end = position_;
   for (std::size_t i = 0; i < axes_.size(); ++i) {
-    if (!in(command.axes, i)) continue;
+    if (!command.names(i)) continue;
     // fanuc.program.return-without-intermediate: An axis that has no intermediate point yet uses its current position
     // as one. On the 30i, G29 with such an axis raises PS0305.
     if (recorder_.decide(Clause::fanuc_program_return_without_intermediate, !intermediate_.at(i))) {
@@ -225,7 +222,7 @@ std::vector<Leg> Interpreter::return_legs(const Command& command) const {
   }
   Leg end = intermediate;
   for (std::size_t i = 0; i < axes_.size(); ++i) {
-    if (!in(command.axes, i)) continue;
+    if (!command.names(i)) continue;
     const Coordinate value = word(command, i);
     // fanuc.program.return-incremental: Under G91 the words of G29 count from the intermediate point.
     const bool incremental = recorder_.decide(Clause::fanuc_program_return_incremental, command.incremental);
@@ -241,7 +238,7 @@ std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Le
   const std::size_t second = axes_.index(in_plane.second);
   const spec::Decimal* const r = command.words.find('R');
   const bool center = command.direction && !directed;
-  const bool travels = in(command.axes, first) || in(command.axes, second);
+  const bool travels = command.names(first) || command.names(second);
   if (r == nullptr && !center) {
     // fanuc.program.arc-without-center: With CIR (3403#5) = 1, which is the default, an axis word of the plane under
     // G02 or G03 raises PS0022 if the block has neither I J K nor R. With CIR = 0 the block runs as a straight line to
@@ -291,7 +288,7 @@ std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Le
     // cutter compensation C they raise PS0038 instead (fanuc.cutter-c.arc-ends-in-center).
     if (!recorder_.decide(Clause::fanuc_program_arc_center_in_start, to_first == 0 && to_second == 0))
       geometry = arc_by_center(recorder_, start, travel, {to_first, to_second}, arc.direction, allowed_difference_);
-    else if (compensated)
+    else if (compensated && setup_.cutter_compensation == spec::CutterCompensationType::c)
       geometry.center = start;
     else
       throw Alarm(AlarmCause::arc_without_center);
@@ -385,7 +382,7 @@ void Interpreter::arrive(const Command& command, const std::vector<Leg>& legs) {
   const bool local = command.codes.one_shot == OneShot::local_coordinates;
   recorder_.reach(local ? Clause::fanuc_program_local_system : Clause::fanuc_program_shift);
   for (std::size_t i = 0; i < axes_.size(); ++i) {
-    if (!in(command.axes, i)) continue;
+    if (!command.names(i)) continue;
     if (local)
       work_.set_local(i, word(command, i), position_);
     else

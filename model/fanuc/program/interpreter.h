@@ -62,8 +62,8 @@ class Interpreter {
   // G10 L2, L20: from here on it is called by the new origins. Throws Alarm PS0031.
   void write_origins(const Command& command);
   // Where the block goes. `directed`: G43.5 is in force in it, I J K are a tool direction and alone make a move;
-  // `always`: it makes a move even without; `compensated`: by cutter compensation C, which refuses an arc about its
-  // start, here one without a sweep. Throws Alarm. The position stays until arrive().
+  // `always`: it makes a move even without; `compensated`: by cutter compensation; C refuses an arc about its start,
+  // here one without a sweep. Throws Alarm. The position stays until arrive().
   std::vector<Leg> legs(const Command& command, bool directed, bool always, bool compensated);
   // A leg that stays where the block starts, or after arrive() where it ended.
   [[nodiscard]] Leg stay(const Command& command) const;

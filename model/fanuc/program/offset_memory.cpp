@@ -8,33 +8,14 @@
 namespace toolcomp::model {
 namespace {
 
-// The largest geometry value. One more digit before the point than a wear value has.
-Rational geometry_limit(const spec::Setup& setup) {
-  const bool mm = setup.units == spec::Units::mm;
-  switch (setup.increment) {
-    case spec::IncrementSystem::is_a:
-      return mm ? Rational(99999, 100) : Rational(99999, 1000);
-    case spec::IncrementSystem::is_b:
-      return mm ? Rational(999999, 1000) : Rational(999999, 10000);
-    case spec::IncrementSystem::is_c:
-      return mm ? Rational(9999999, 10000) : Rational(9999999, 100000);
-  }
-  return 0;
+// The largest value with so many digits before the point.
+Rational largest(unsigned whole, const spec::Setup& setup) {
+  const unsigned behind = setup.increment == spec::IncrementSystem::is_a   ? 2
+                          : setup.increment == spec::IncrementSystem::is_b ? 3
+                                                                           : 4;
+  const unsigned inch = setup.units == spec::Units::mm ? 0 : 1;
+  return {exact::power_of_ten(whole + behind) - 1, exact::power_of_ten(behind + inch)};
 }
-Rational wear_limit(const spec::Setup& setup) {
-  const bool mm = setup.units == spec::Units::mm;
-  switch (setup.increment) {
-    case spec::IncrementSystem::is_a:
-      return mm ? Rational(9999, 100) : Rational(9999, 1000);
-    case spec::IncrementSystem::is_b:
-      return mm ? Rational(99999, 1000) : Rational(99999, 10000);
-    case spec::IncrementSystem::is_c:
-      return mm ? Rational(999999, 10000) : Rational(999999, 100000);
-  }
-  return 0;
-}
-
-Rational magnitude(const Rational& value) { return value < 0 ? Rational(-value) : value; }
 
 }  // namespace
 
@@ -68,8 +49,8 @@ OffsetMemory::OffsetMemory(const spec::Setup& setup, Recorder& recorder)
       kind_(setup.memory),
       series_(setup.series),
       count_(setup.offset_count),
-      geometry_limit_(geometry_limit(setup)),
-      wear_limit_(wear_limit(setup)) {
+      geometry_limit_(largest(3, setup)),
+      wear_limit_(largest(2, setup)) {
   const auto fill = [this](Table& table, const std::map<std::uint32_t, spec::OffsetEntry>& from) {
     for (const auto& [number, entry] : from)
       table.insert_or_assign(
@@ -99,7 +80,7 @@ Rational OffsetMemory::applied(const Table& table, std::uint32_t number) const {
   Rational value = offset.geometry + offset.wear;
   // fanuc.memory.value-too-large: A value beyond the geometry range of the memory raises PS0029 when a command applies
   // it. The geometry ranges are IS-A 999.99 mm, 99.999 inch; IS-B 999.999, 99.9999; IS-C 999.9999, 99.99999.
-  if (recorder_.decide(Clause::fanuc_memory_value_too_large, magnitude(value) > geometry_limit_))
+  if (recorder_.decide(Clause::fanuc_memory_value_too_large, abs(value) > geometry_limit_))
     throw Alarm(AlarmCause::offset_value);
   return value;
 }
@@ -124,8 +105,7 @@ std::optional<OffsetWrite> OffsetMemory::read_write(const Words& words, const Nu
   }
   write.value = numbers.length(*r);
   const Rational& limit = write.wear ? wear_limit_ : geometry_limit_;
-  const bool too_large =
-      (write.h && magnitude(written(h_, write)) > limit) || (write.d && magnitude(written(d_, write)) > limit);
+  const bool too_large = (write.h && abs(written(h_, write)) > limit) || (write.d && abs(written(d_, write)) > limit);
   // fanuc.memory.g10-range: G10 raises PS0032 if the value that it would store is beyond the range of its store. Wear
   // ranges have one whole digit less than geometry ranges: IS-A 99.99 mm, 9.999 inch; IS-B 99.999, 9.9999; IS-C
   // 99.9999, 9.99999.

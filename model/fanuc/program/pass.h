@@ -52,7 +52,7 @@ class Pass {
     Recorder& recorder;
   };
 
-  explicit Pass(const Place& place) : recorder_(place.recorder) {}
+  explicit Pass(const Place& place) : place_(place) {}
   virtual ~Pass() = default;
   Pass(const Pass&) = delete;
   Pass& operator=(const Pass&) = delete;
@@ -65,8 +65,6 @@ class Pass {
   [[nodiscard]] virtual bool on() const = 0;
   // By its words it is on after this command, which is read next or has been read last.
   [[nodiscard]] virtual bool on_after(const Command& command) const = 0;
-  // In this block an arc whose centre is its start is for the pass to judge.
-  [[nodiscard]] virtual bool takes_arc_about_its_start(const Command& /*command*/) const { return false; }
   // There is a rotary axis word under G43.5. Throws the alarm of the pass, if it has one of its own.
   virtual void refuse_rotary_word(const Command& /*command*/) const {}
 
@@ -86,10 +84,12 @@ class Pass {
   virtual OwnedStep next() = 0;
 
  protected:
-  [[nodiscard]] Recorder& recorder() const { return recorder_; }
+  [[nodiscard]] Recorder& recorder() const { return place_.recorder; }
+  [[nodiscard]] const spec::Setup& setup() const { return place_.setup; }
+  [[nodiscard]] const OffsetMemory& memory() const { return place_.memory; }
 
  private:
-  Recorder& recorder_;
+  Place place_;
 };
 
 }  // namespace toolcomp::model

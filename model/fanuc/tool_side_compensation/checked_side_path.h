@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "model/fanuc/passes/interference_check.h"
-#include "model/fanuc/tool_side_compensation/side_path.h"
+#include "model/fanuc/corner/interference.h"
+#include "model/fanuc/tool_side_compensation/mode.h"
 
 namespace toolcomp::model {
 
@@ -16,18 +16,10 @@ struct ArcStart {
   PathEnd end;              // as seen in the plane of that corner, if there is one, else in its own
 };
 
-// A block that makes vectors.
-struct SideBlock {
-  const CompensationPlane& plane;  // at its end
-  const SidePath& path;
-  const SideEnd& end;
-  ArcStart start;
-};
-
 // Of an arc: as the tool runs it between two heads. Clause: fanuc.tool-side.arc-as-run.
-std::optional<ToolArcRun> arc_run(Recorder& recorder, const SideBlock& block, const SpaceVector& from,
-                                  const SpaceVector& to);
+std::optional<ToolArcRun> arc_run(Recorder& recorder, const SidePlan& block, const ArcStart& start,
+                                  const SpaceVector& from, const SpaceVector& to);
 // Clause: fanuc.tool-side.interference-in-the-plane.
-CheckedPath between_vectors(Recorder& recorder, const SideBlock& block);
+CheckedPath between_vectors(const SidePlan& block, const ArcStart& start);
 
 }  // namespace toolcomp::model

@@ -20,12 +20,9 @@ bool CompensationPlane::is_same_as(const CompensationPlane& other) const {
 }
 
 PlaneFrame CompensationPlane::frame() const {
-  const std::size_t i = axis_across(tool_.vector);
   Vector axis;
-  component(axis, i) = 1;
-  const Vector in_plane = axis - component(tool_.unit, i) * tool_.unit;
-  const Vector first = in_plane / sqrt(squared_norm(in_plane));
-  return {first, cross(tool_.unit, first)};
+  component(axis, axis_across(tool_.vector)) = 1;
+  return frame_along(axis);
 }
 
 PlaneFrame CompensationPlane::frame_along(const Vector& v) const {

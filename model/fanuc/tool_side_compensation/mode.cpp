@@ -10,26 +10,6 @@
 namespace toolcomp::model {
 namespace {
 
-// The arc of a leg, seen from its centre in the plane selected.
-SideArc arc_of(const Leg& leg, const std::optional<Rational>& radius, const spec::Axes& axes) {
-  const spec::Arc<Real>& arc = *leg.arc;
-  const PlaneLetters in_plane = letters(arc.plane);
-  // A machine without an axis of the plane stands at 0 in it.
-  const auto from_center = [&](char letter) {
-    if (!axes.has(letter)) return Real(0);
-    const std::size_t axis = axes.index(letter);
-    return leg.actual(axis).value() - arc.center[axis];
-  };
-  SideArc result;
-  result.plane = arc.plane;
-  result.ends.end = {from_center(in_plane.first), from_center(in_plane.second)};
-  result.ends.start = result.ends.end - in_plane_of(arc.plane, leg.travel);
-  result.ends.turn = arc.direction == spec::ArcDirection::ccw ? 1 : -1;
-  result.ends.radius = radius;
-  result.ends.one_radius = !arc.radius;
-  return result;
-}
-
 // What was decided on |VT × U|². A line along the tool has no direction in the plane.
 bool crosses(Sign decided, const Real& left2) {
   if (decided != Sign::positive) return false;
@@ -44,48 +24,35 @@ const SideEnd* SidePlan::start_at(std::uint64_t block) const {
   return found == starts.end() ? nullptr : &found->end;
 }
 
-SideMode::SideMode(const spec::Setup& setup, Recorder& recorder, int limit)
-    : recorder_(recorder),
-      axes_(setup.axes),
-      limit_(limit),
-      shortest_(setup.parameter(19630) ? plain(*setup.parameter(19630)) : Rational(0)),
-      type_c_(setup.bit(5003, 1)) {}
+SideMode::SideMode(const spec::Setup& setup, Recorder& recorder)
+    : CornerMode(setup, recorder), shortest_(setup.parameter(19630) ? plain(*setup.parameter(19630)) : Rational(0)) {}
 
-SidePlan SideMode::next(const ToolSideBlock& block, const Step& step) {
-  const bool in_force = block.side != CutterSide::none;
-  // fanuc.cutter-c.number-zero: Number 0 in force acts as G40 does. G41 or G42 stays in force, and a later number other
-  // than 0 asks for the mode again. A number other than 0 whose value is 0 does not cancel: the mode starts and stays
-  // on.
-  const bool asked = in_force && !recorder_.decide(Clause::fanuc_cutter_c_number_zero, block.number == 0);
+SidePlan SideMode::next(const ToolSideBlock& block, const Step& step, std::vector<const SidePlan*> waiting) {
+  waiting_ = std::move(waiting);
+  const bool asked = asks(block);
   SidePlan plan;
   plan.plane = CompensationPlane(step.rest.tool);
   plan.cancels = !asked;
-  if (step.stops_look_ahead) waiting_.clear();
-  if (step.stops_look_ahead && is_pending()) return plan;
   if (asked || is_on()) find_movement(block, step, plan);
   // The block right after a lone start moves there and stays in the mode; else the start raises an alarm.
-  const bool follows_start = asked && plan.moves_behind();
-  if (is_pending() && !follows_start) {
-    plan.starts.clear();
-    return plan;
-  }
+  if (is_pending() && !plan.moves_behind()) return plan;
+  asked_ = asked;
   plan.part = SidePart::idle;
-  if (!is_on() && !is_pending())
+  if (phase_ == Phase::off)
     while_off(block, asked, plan);
   else if (asked)
     in_mode(block, step, plan);
-  else if (phase_ == Phase::running || plan.end)
+  else if (phase_ != Phase::ending || plan.end)
     cancel(plan);
   before_ = step.rest.tool;
   return plan;
 }
 
 void SideMode::while_off(const ToolSideBlock& block, bool asked, SidePlan& plan) {
-  asked_ = asked;
   plan.part = SidePart::free;
   // fanuc.tool-side.type-c: Start-up and cancel are of type C if No. 5003 bit 1, SUV, is 1, whatever bit 0 is. If SUV
   // is 0, bit 0 chooses between the other two types (fanuc.tool-side.type-b).
-  const bool alone = asked && recorder_.decide(Clause::fanuc_tool_side_type_c, type_c_);
+  const bool alone = asked && recorder_.decide(Clause::fanuc_tool_side_type_c, setup_.bit(5003, 1));
   if (!alone && !(asked && plan.end)) return;
   // fanuc.tool-side.start-up: With types A and B, if a code and a number other than 0 are in force and there is no
   // vector yet, the next block that moves in the plane (of VT at its own end) is the start-up block. The tool goes
@@ -93,12 +60,11 @@ void SideMode::while_off(const ToolSideBlock& block, bool asked, SidePlan& plan)
   // plane there; the cause is start-up.
   if (!alone) recorder_.reach(Clause::fanuc_tool_side_start_up);
   plan.part = alone ? SidePart::lone_start : SidePart::start_up;
-  phase_ = alone ? Phase::pending : Phase::running;
+  phase_ = alone ? Phase::pending : Phase::started;
   last_ = offset_of(recorder_, block.side, block.offset);
   if (plan.end) plan.end->offset = last_.left();
-  started_ = last_.side;
   plan.changes = last_.distance != 0;
-  wait(plan, true);
+  make_vector(plan);
 }
 
 void SideMode::in_mode(const ToolSideBlock& block, const Step& step, SidePlan& plan) {
@@ -106,9 +72,8 @@ void SideMode::in_mode(const ToolSideBlock& block, const Step& step, SidePlan& p
   // or number 0, before the vector is removed, the run is undecided at that block. The blocks before it are given as if
   // it were absent. A vector that is exactly zero is removed at once.
   if (phase_ == Phase::ending)
-    leave_open_here(Clause::fanuc_cutter_c_restart_before_removal,
-                    "tool side compensation again before the vector of the cancelled mode is removed");
-  phase_ = Phase::running;
+    leave_open_alone(recorder_, Clause::fanuc_cutter_c_restart_before_removal,
+                     "tool side compensation again before the vector of the cancelled mode is removed");
   const bool moves = plan.end || plan.moves_behind();
   if (moves) {
     const Leg& leg = step.moves.front().leg;
@@ -118,47 +83,38 @@ void SideMode::in_mode(const ToolSideBlock& block, const Step& step, SidePlan& p
     // offset.
     if (leg.arc && !leg.arc->sweep)
       raise(recorder_, Clause::fanuc_cutter_c_arc_ends_in_center, AlarmCause::arc_ends_in_center);
-    const bool meets_first = !waiting_.empty() && plan.start_at(waiting_.front().number) != nullptr;
+    const bool meets_first = !waiting_.empty() && plan.start_at(waiting_.front()->number) != nullptr;
     const CutterOffset offset = next_offset(block, meets_first);
     plan.distance_before = last_.distance;
     if (plan.path.arc) look_at_arc(plan);
     for (SidePlan::Start& start : plan.starts) start.end.offset = offset.side * waiting(start.at).offset.distance;
     if (plan.end) plan.end->offset = offset.left();
     last_ = offset;
-    started_.reset();
-  }
-  meet(plan);
-  if (plan.end) {
-    plan.part = SidePart::moving;
-    wait(plan, false);
-    return;
+    phase_ = Phase::running;
   }
   plan.offset = last_;
-  plan.leaves_corner = plan.moves_behind() && (waiting_.empty() || waiting_.back().met);
-  if (plan.leaves_corner) started_.reset();
+  if (!plan.end) return;
+  plan.part = SidePart::moving;
+  make_vector(plan);
 }
 
 // G40 or number 0.
 void SideMode::cancel(SidePlan& plan) {
   for (SidePlan::Start& start : plan.starts) start.end.offset = waiting(start.at).offset.left();
-  plan.offset = last_;
-  waiting_.clear();
-  asked_ = false;
   if (!plan.end) {
     lone_cancel(plan);
     return;
   }
   plan.part = SidePart::cancel;
   phase_ = Phase::off;
-  started_.reset();
 }
 
 // In a block that does not move in the plane at its own end.
 void SideMode::lone_cancel(SidePlan& plan) {
   plan.part = SidePart::lone_cancel;
   plan.changes = has_vector_;
-  phase_ = type_c_ || !plan.changes ? Phase::off : Phase::ending;
-  plan.leaves_corner = plan.moves_behind() && !type_c_;
+  phase_ = setup_.bit(5003, 1) || !plan.changes ? Phase::off : Phase::ending;
+  plan.leaves_corner = plan.moves_behind() && !setup_.bit(5003, 1);
 }
 
 // A line is asked in the plane of each corner that is still to be made, and in the one at its own end.
@@ -166,26 +122,22 @@ void SideMode::find_movement(const ToolSideBlock& block, const Step& step, SideP
   if (step.moves.empty()) return;
   const Leg& leg = step.moves.front().leg;
   plan.path.travel = leg.travel;
-  const bool at_last = !waiting_.empty() && !waiting_.back().met;
+  const bool at_last = !waiting_.empty() && waiting_.back()->number == made_;
   if (leg.arc) {
-    plan.path.arc = arc_of(leg, block.radius, axes_);
-    for (const Waiting& w : waiting_)
-      if (!w.met) plan.starts.push_back({w.number, {}});
+    plan.path.arc = SideArc{leg.arc->plane, arc_of(leg, block.radius, setup_.axes)};
+    for (const SidePlan* w : waiting_) plan.starts.push_back({w->number, {}});
     plan.end.emplace();
     plan.at_corner = at_last;
     return;
   }
   const auto seen_in = [&](const CompensationPlane& plane) {
-    SideEnd line = line_end(plane, leg.travel, 0);
+    SideEnd line = line_end(plane, leg.travel);
     return crosses_tool(plane, line) ? std::optional(std::move(line)) : std::nullopt;
   };
-  for (const Waiting& w : waiting_) {
-    if (w.met) continue;
-    if (auto start = seen_in(w.plane)) plan.starts.push_back({w.number, std::move(*start)});
-  }
-  const SideEnd* const at_former = at_last ? plan.start_at(waiting_.back().number) : nullptr;
-  plan.at_corner = at_former != nullptr;
-  if (!at_last || !plan.plane.is_same_as(waiting_.back().plane))
+  for (const SidePlan* w : waiting_)
+    if (auto start = seen_in(w->plane)) plan.starts.push_back({w->number, std::move(*start)});
+  const SideEnd* const at_former = at_last ? plan.start_at(made_) : nullptr;
+  if (!at_last || !plan.plane.is_same_as(waiting_.back()->plane))
     plan.end = seen_in(plan.plane);
   else if (at_former != nullptr)
     plan.end = *at_former;
@@ -208,15 +160,15 @@ bool SideMode::crosses_tool(const CompensationPlane& plane, const SideEnd& line)
 
 CutterOffset SideMode::next_offset(const ToolSideBlock& block, bool meets_first) const {
   const CutterOffset offset = offset_of(recorder_, block.side, block.offset);
-  const bool first = started_ && *started_ != offset.side;
-  const bool meets_start = meets_first && waiting_.front().starts && waiting_.front().offset.side != offset.side;
+  const bool meets_start =
+      meets_first && waiting_.front()->part != SidePart::moving && waiting_.front()->offset.side != offset.side;
   // fanuc.cutter-c.direction-change-at-start-up: The first moving block after a start-up must not change the side; a
   // change raises DIR_CHANGE_AT_STARTUP, a name of ours, at that block. A start-up here is the start-up block, also one
   // that follows G53 or a reference return, or the G41 or G42 of SUV = 1. The rule holds however many blocks without
   // motion come between, and whatever the value.
   //
   // The first block after a start that moves anywhere, and the one that the start's own vector is made with.
-  if (first || meets_start)
+  if (changes_side_at_start(offset) || meets_start)
     raise(recorder_, Clause::fanuc_cutter_c_direction_change_at_start_up, AlarmCause::side_change_at_start);
   return offset;
 }
@@ -229,7 +181,7 @@ int SideMode::sense(const Direction& tool, spec::Plane plane) const {
   const Sign seen = recorder_.decide(Clause::fanuc_tool_side_arc_plane, upright, sqrt(tool.norm2));
   if (seen != Sign::zero && upright.sign() == Sign::zero) throw NotFinite();  // only a forced outcome comes here
   if (seen == Sign::zero)
-    leave_open_here(Clause::fanuc_tool_side_arc_plane, "an arc whose plane contains the tool direction");
+    leave_open_alone(recorder_, Clause::fanuc_tool_side_arc_plane, "an arc whose plane contains the tool direction");
   return static_cast<int>(seen);
 }
 
@@ -249,42 +201,25 @@ void SideMode::look_at_arc(SidePlan& plan) {
   SideArc& arc = *plan.path.arc;
   for (SidePlan::Start& start : plan.starts) {
     arc.sense_at_start = sense(waiting(start.at).plane.tool(), arc.plane);
-    start.end = arc_start(arc, 0);
+    start.end = arc_start(arc);
   }
   arc.sense_at_end = sense(plan.plane.tool(), arc.plane);
   if (!plan.at_corner) arc.sense_at_start = arc.sense_at_end;
-  plan.end = arc_end(arc, 0);
+  plan.end = arc_end(arc);
   if (leans(before_, arc.plane) || leans(plan.plane.tool(), arc.plane)) {
     plan.warning = Warning{"ARC_PLANE_MISMATCH", "the tool is not at right angles to the plane of the arc", {}};
     plan.warning->clauses.add(Clause::fanuc_tool_side_arc_plane_mismatch);
   }
 }
 
-void SideMode::wait(SidePlan& plan, bool starts) {
+void SideMode::make_vector(SidePlan& plan) {
   plan.number = ++made_;
   plan.offset = last_;
   has_vector_ = last_.distance != 0;
-  waiting_.push_back({plan.number, plan.plane, last_, starts, 0, false});
 }
 
-// What counts to the limit is the first one: one after it has fewer blocks after itself.
-void SideMode::meet(const SidePlan& plan) {
-  for (Waiting& w : waiting_) {
-    if (w.met) continue;
-    w.met = plan.start_at(w.number) != nullptr || ++w.count >= limit_;
-  }
-  const auto open = std::ranges::find_if(waiting_, [](const Waiting& w) { return !w.met; });
-  waiting_.erase(waiting_.begin(), open);
-}
-
-// The block is absent for those before it, and the clause stands alone.
-void SideMode::leave_open_here(Clause clause, const char* message) const {
-  recorder_.take_clauses();
-  throw LeftOpen(clause, message);
-}
-
-SideMode::Waiting& SideMode::waiting(std::uint64_t number) {
-  return *std::ranges::find(waiting_, number, &Waiting::number);
+const SidePlan& SideMode::waiting(std::uint64_t number) const {
+  return **std::ranges::find(waiting_, number, &SidePlan::number);
 }
 
 }  // namespace toolcomp::model

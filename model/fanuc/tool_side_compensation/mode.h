@@ -6,14 +6,19 @@
 #include <optional>
 #include <vector>
 
-#include "model/basis/alarm.h"
-#include "model/basis/recorder.h"
+#include "model/fanuc/corner/corner_mode.h"
 #include "model/fanuc/program/step.h"
 #include "model/fanuc/tool_side_compensation/side_path.h"
-#include "model/fanuc/tool_side_compensation/tool_side_block.h"
-#include "spec/language/setup.h"
 
 namespace toolcomp::model {
+
+// What a block says to tool side compensation.
+struct ToolSideBlock : CornerBlock {
+  std::optional<int> treatment;  // Q: 1, 2 or 3; 0 where it is none of them
+
+  // The compensation is on after the block.
+  [[nodiscard]] bool wanted() const { return side != CutterSide::none && number != 0; }
+};
 
 // What a block does to the vector.
 enum class SidePart : std::uint8_t {
@@ -42,7 +47,7 @@ struct SidePlan {
   std::vector<Start> starts;   // where it moves in the plane of an earlier corner
   std::optional<SideEnd> end;  // how it reaches its own end, if it moves in the plane there
   bool at_corner = false;      // the block right before it makes a corner with it
-  bool leaves_corner = false;  // idle: the vector at its end is one of no corner
+  bool leaves_corner = false;  // no vector: the one at its end is one of no corner
   bool cancels = false;        // G40 or number 0 in force
   bool changes = false;        // lone_start, lone_cancel: the vector that is made or removed is not 0
   std::optional<Warning> warning;
@@ -52,36 +57,15 @@ struct SidePlan {
 };
 
 // Follows the mode through the program. Clauses: fanuc.tool-side.*.
-class SideMode {
+class SideMode : public CornerMode {
  public:
-  SideMode(const spec::Setup& setup, Recorder& recorder, int limit);
+  SideMode(const spec::Setup& setup, Recorder& recorder);
 
   // The next block. Throws Alarm PS0038 or DIR_CHANGE_AT_STARTUP, or LeftOpen.
-  SidePlan next(const ToolSideBlock& block, const Step& step);
-
-  // There is a vector, or a block that makes one.
-  [[nodiscard]] bool is_on() const { return phase_ > Phase::pending; }
-  // Or a code asks for one.
-  [[nodiscard]] bool is_on_or_asked_for() const { return is_on() || asked_; }
-  [[nodiscard]] bool is_pending() const { return phase_ == Phase::pending; }
+  // `waiting`: the blocks before it whose corners are not known.
+  SidePlan next(const ToolSideBlock& block, const Step& step, std::vector<const SidePlan*> waiting);
 
  private:
-  enum class Phase : std::uint8_t {
-    off,
-    pending,  // a lone start waits for the next block
-    running,
-    ending  // after a lone cancel the vector waits for its removal
-  };
-  // A block that makes a vector, until its corner and those before it are known.
-  struct Waiting {
-    std::uint64_t number = 0;
-    CompensationPlane plane;
-    CutterOffset offset;
-    bool starts = false;  // the mode
-    int count = 0;        // of the blocks without movement after it
-    bool met = false;     // by the block it makes its corner with
-  };
-
   void while_off(const ToolSideBlock& block, bool asked, SidePlan& plan);
   void in_mode(const ToolSideBlock& block, const Step& step, SidePlan& plan);
   void cancel(SidePlan& plan);
@@ -94,26 +78,15 @@ class SideMode {
   [[nodiscard]] bool leans(const Direction& tool, spec::Plane plane) const;
   [[nodiscard]] CutterOffset next_offset(const ToolSideBlock& block, bool meets_first) const;
   // The block makes a vector at its end.
-  void wait(SidePlan& plan, bool starts);
-  // What it does to those that wait.
-  void meet(const SidePlan& plan);
-  [[noreturn]] void leave_open_here(Clause clause, const char* message) const;
-  [[nodiscard]] Waiting& waiting(std::uint64_t number);
+  void make_vector(SidePlan& plan);
+  [[nodiscard]] const SidePlan& waiting(std::uint64_t number) const;
 
-  Recorder& recorder_;
-  spec::Axes axes_;
-  int limit_;
   Rational shortest_;  // 19630, setup units
-  bool type_c_;        // 5003#1, SUV
 
-  Phase phase_ = Phase::off;
-  bool asked_ = false;          // by the last block: a side and a number other than 0 in force
-  CutterOffset last_;           // of the last block that moved anywhere, or of a lone start
-  std::optional<int> started_;  // its side, if that was a start and no block has moved after it
-  bool has_vector_ = false;     // the vector made last is not 0
-  std::vector<Waiting> waiting_;
-  std::uint64_t made_ = 0;  // blocks that make a vector
-  Direction before_;        // tool at the end of the block before
+  bool has_vector_ = false;               // the vector made last is not 0
+  std::vector<const SidePlan*> waiting_;  // while a block is planned
+  std::uint64_t made_ = 0;                // blocks that make a vector
+  Direction before_;                      // tool at the end of the block before
 };
 
 }  // namespace toolcomp::model

@@ -30,8 +30,7 @@ bool PlaneChangeCheck::turns_far(const Direction& former, const Direction& latte
   const Real norms2 = former.norm2 * latter.norm2;
   const bool both_positive = cosine_.sign() == Sign::positive && product.sign() == Sign::positive;
   const bool both_negative = cosine_.sign() == Sign::negative && product.sign() == Sign::negative;
-  const bool equal =
-      both_positive || both_negative ? (cosine2_ * norms2 - square(product)).sign() == Sign::zero : false;
+  const bool equal = (both_positive || both_negative) && (cosine2_ * norms2 - square(product)).sign() == Sign::zero;
   const Real scale = sqrt(norms2);
   const Real quantity = equal ? Real(0) : cosine_ * scale - product;
   // fanuc.tool-side.plane-change-angle: The first condition of the plane change check is that Va, the tool direction at
@@ -39,26 +38,29 @@ bool PlaneChangeCheck::turns_far(const Direction& former, const Direction& latte
   return recorder_.decide(Clause::fanuc_tool_side_plane_change_angle, quantity, scale) != Sign::negative;
 }
 
-bool PlaneChangeCheck::interferes(const TurningBlock& former, const TurningBlock& latter) const {
+bool PlaneChangeCheck::interferes(const SidePlan& former, const SidePlan& latter) const {
   // fanuc.tool-side.plane-change-check: 19605 bit 5, NIC, switches the interference check where the compensation plane
   // changes: 0 checks, 1 does not.
   if (!recorder_.decide(Clause::fanuc_tool_side_plane_change_check, checks_)) return false;
-  if (!turns_far(former.tool, latter.tool)) return false;
-  const Vector wa = cross(former.tool.vector, former.travel);
-  const Vector wb = cross(latter.tool.vector, latter.travel);
-  const Real travels = sqrt(squared_norm(former.travel) * squared_norm(latter.travel));
+  const Direction& va = former.plane.tool();
+  const Direction& vb = latter.plane.tool();
+  const Vector& ua = former.path.travel;
+  const Vector& ub = latter.path.travel;
+  if (!turns_far(va, vb)) return false;
+  const Vector wa = cross(va.vector, ua);
+  const Vector wb = cross(vb.vector, ub);
+  const Real travels = sqrt(squared_norm(ua) * squared_norm(ub));
   // fanuc.tool-side.plane-change-side: The second condition of the plane change check, asked if the first holds, is
   // that the directions Wa = Va x Ua and Wb = Vb x Ub do not point against each other. Ua and Ub are the displacements
   // of A and B from start to end, also of arcs.
-  const Sign side = recorder_.decide(Clause::fanuc_tool_side_plane_change_side, dot(wa, wb),
-                                     sqrt(former.tool.norm2 * latter.tool.norm2) * travels);
+  const Sign side =
+      recorder_.decide(Clause::fanuc_tool_side_plane_change_side, dot(wa, wb), sqrt(va.norm2 * vb.norm2) * travels);
   if (side == Sign::negative) return false;
-  const Real along = dot(wa, cross(former.tool.vector, latter.travel));
+  const Real along = dot(wa, cross(va.vector, ub));
   // fanuc.tool-side.plane-change-reversal: The third condition of the plane change check, asked if the first two hold,
   // is that Ra and Rb point against each other. Ra and Rb are the projections of Ua and Ub onto the plane perpendicular
   // to Va.
-  return recorder_.decide(Clause::fanuc_tool_side_plane_change_reversal, -along, former.tool.norm2 * travels) ==
-         Sign::positive;
+  return recorder_.decide(Clause::fanuc_tool_side_plane_change_reversal, -along, va.norm2 * travels) == Sign::positive;
 }
 
 }  // namespace toolcomp::model

@@ -3,17 +3,10 @@
 #pragma once
 
 #include "model/basis/recorder.h"
-#include "model/geometry/vector.h"
-#include "model/kinematics/tool_direction.h"
+#include "model/fanuc/tool_side_compensation/mode.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::model {
-
-// A block as the check sees it: what it travels, and the tool at its end.
-struct TurningBlock {
-  const Vector& travel;
-  const Direction& tool;
-};
 
 // Clauses: fanuc.tool-side.plane-change-*.
 class PlaneChangeCheck {
@@ -22,7 +15,7 @@ class PlaneChangeCheck {
   PlaneChangeCheck(const spec::Setup& setup, Recorder& recorder);
 
   // Whether the path from `former` to `latter` is at fault.
-  [[nodiscard]] bool interferes(const TurningBlock& former, const TurningBlock& latter) const;
+  [[nodiscard]] bool interferes(const SidePlan& former, const SidePlan& latter) const;
 
  private:
   [[nodiscard]] bool turns_far(const Direction& former, const Direction& latter) const;

@@ -29,7 +29,7 @@ SpaceGroup SideRules::in_plane(SpaceGroup group) const {
 std::optional<SideGroup> SideRules::in_mode(const SideCorner& corner) const {
   if (!corner.of_lines()) {
     const FramedCorner framed(corner);
-    const auto group = plane_rules_.offset_mode(framed.former(), framed.latter());
+    const auto group = offset_mode(recorder_, framed.former, framed.latter);
     return group ? std::optional(framed.lifted(*group)) : std::nullopt;
   }
   const LineCorner lines(recorder_, corner.plane, corner.former, corner.latter);
@@ -60,23 +60,25 @@ std::optional<SideGroup> SideRules::in_mode(const SideCorner& corner) const {
 // fanuc.tool-side.type-b: No. 5003 bit 0, SUP, chooses the type: 0 is type A, 1 is type B.
 SideRules::SideRules(const spec::Setup& setup, Recorder& recorder)
     : recorder_(recorder),
-      plane_rules_(recorder),
       type_b_(setup.bit(5003, 0)),
       with_perpendicular_(!setup.type_b_without_perpendicular),
       limit_(setup.parameter(5010) ? plain(*setup.parameter(5010)) : Rational(0)) {}
 
 // fanuc.tool-side.type-b: No. 5003 bit 0, SUP, chooses the type: 0 is type A, 1 is type B.
-std::optional<SideGroup> SideRules::detour(const SideCorner& corner, bool cancels) const {
-  if (!recorder_.decide(Clause::fanuc_tool_side_type_b, type_b_)) return std::nullopt;
+SideGroup SideRules::start_or_cancel(const SideCorner& corner, bool cancels) const {
+  const auto alone = [&] {
+    return cancels ? square_to(corner.plane, corner.former) : square_to_latter(corner.plane, corner.latter);
+  };
+  if (!recorder_.decide(Clause::fanuc_tool_side_type_b, type_b_)) return alone();
   std::optional<FramedCorner> framed;
   std::optional<LineCorner> lines;
   CornerClass kind{};
   if (corner.of_lines()) {
     kind = lines.emplace(recorder_, corner.plane, corner.former, corner.latter).classify();
-    if (kind == CornerClass::acute && lines->is_under_one_degree()) return std::nullopt;
+    if (kind == CornerClass::acute && lines->is_under_one_degree()) return alone();
   } else {
     framed.emplace(corner);
-    kind = classify(recorder_, framed->former(), framed->latter());
+    kind = classify(recorder_, framed->former, framed->latter);
   }
   // fanuc.tool-side.start-up-inner: At a start-up of type B with an inner corner, straight on included, the group is
   // the vector perpendicular to the next block.
@@ -84,7 +86,7 @@ std::optional<SideGroup> SideRules::detour(const SideCorner& corner, bool cancel
   // vector perpendicular to the last compensated block.
   if (kind == CornerClass::inner || kind == CornerClass::straight) {
     recorder_.reach(cancels ? Clause::fanuc_tool_side_cancel_inner : Clause::fanuc_tool_side_start_up_inner);
-    return std::nullopt;
+    return alone();
   }
   // fanuc.tool-side.start-up-obtuse: At a start-up of type B with an obtuse outer corner, the group is the vector
   // perpendicular to the start-up block (fanuc.tool-side.type-b-perpendicular), then the intersection. If B is an arc,
@@ -108,21 +110,7 @@ std::optional<SideGroup> SideRules::detour(const SideCorner& corner, bool cancel
   const bool with_former = cancels ? corner.former.arc.has_value() : own;
   const bool with_latter = cancels ? own : corner.latter.arc.has_value();
   if (lines) return way_round(kind, *lines, with_former, with_latter);
-  return framed->lifted(model::way_round(kind, framed->former(), framed->latter(), with_former, with_latter));
-}
-
-// fanuc.tool-side.start-up-inner: At a start-up of type B with an inner corner, straight on included, the group is the
-// vector perpendicular to the next block.
-SideGroup SideRules::start_up(const SideCorner& corner) const {
-  const auto group = detour(corner, false);
-  return group ? *group : square_to_latter(corner.plane, corner.latter);
-}
-
-// fanuc.tool-side.cancel-inner: At a cancel of type B with an inner corner, straight on included, the group is the
-// vector perpendicular to the last compensated block.
-SideGroup SideRules::cancel(const SideCorner& corner) const {
-  const auto group = detour(corner, true);
-  return group ? *group : square_to(corner.plane, corner.former);
+  return framed->lifted(model::way_round(kind, framed->former, framed->latter, with_former, with_latter));
 }
 
 // fanuc.tool-side.which-rule: The group between A and B is made by the first of these rules that applies: r = 0
@@ -150,8 +138,7 @@ std::optional<SideGroup> SideRules::by_first_rule(const SideCorner& corner, cons
     recorder_.reach(given.repeated ? Clause::fanuc_tool_side_repeated : Clause::fanuc_tool_side_start_then_cancel);
     return square_to(corner.plane, corner.former);
   }
-  if (given.cancels) return cancel(corner);
-  if (given.starts) return start_up(corner);
+  if (given.cancels || given.starts) return start_or_cancel(corner, given.cancels);
   std::optional<SideGroup> group = in_mode(corner);
   // fanuc.tool-side.q2: With Q2 in block A, the second of the two vectors between two lines is deleted.
   if (group && given.treatment == 2 &&
@@ -171,7 +158,7 @@ std::optional<SpaceGroup> SideRules::group(const SideCorner& corner, const SideC
   // fanuc.tool-side.q3: With Q3 in block A, all vectors are kept, and the alarm of fanuc.tool-side.plane-change-alarm
   // is not raised. It is not raised with Q1 or Q2 either.
   if (given.treatment == 3) recorder_.reach(Clause::fanuc_tool_side_q3);
-  drop_small_differences(*group, given);
+  drop_small_differences(*group, corner.former.offset, given.next);
   return std::move(group->vectors);
 }
 
@@ -182,7 +169,7 @@ std::optional<SpaceGroup> SideRules::group(const SideCorner& corner, const SideC
 SideGroup SideRules::side_change(const SideCorner& corner) const {
   if (!corner.of_lines()) {
     const FramedCorner framed(corner);
-    return framed.lifted(plane_rules_.direction_change(framed.former(), framed.latter()));
+    return framed.lifted(direction_change(recorder_, framed.former, framed.latter));
   }
   const LineCorner lines(recorder_, corner.plane, corner.former, corner.latter);
   if (lines.is_parallel()) {
@@ -193,19 +180,24 @@ SideGroup SideRules::side_change(const SideCorner& corner) const {
   }
   // fanuc.cutter-c.direction-change-lines: Two lines at an angle always have an intersection, however far away.
   recorder_.reach(Clause::fanuc_cutter_c_direction_change_lines);
-  return one(lines.meeting_across());
+  return one(lines.tangents_meet());
 }
 
 // fanuc.tool-side.small-difference: A vector of a group is dropped if its distance from the last vector kept is no more
 // than the limit, No. 5010. The limit is in setup units. It is 0 if it is not given, and nothing is dropped if it is
 // negative. The vectors are taken in the order of the group, start-up and cancel included, and the first vector always
 // stays.
-void SideRules::drop_small_differences(SideGroup& group, const SideCase& given) const {
+void SideRules::drop_small_differences(SideGroup& group, const Rational& offset, const SidePath& next) const {
   if (group.vectors.size() < 2) return;
-  if (given.next.arc && !plane_rules_.is_under_half_circle(given.next.arc->ends)) return;
+  if (next.arc) {
+    const ArcEnds& ends = next.arc->ends;
+    if (!is_under_half_circle(recorder_, ends.turn, ends.start, ends.end,
+                              sqrt(squared_norm(ends.start) * squared_norm(ends.end))))
+      return;
+  }
   if (limit_ < 0) return;
   const Rational limit2 = limit_ * limit_;
-  const Rational scale = limit2 + 8 * given.distance * given.distance;
+  const Rational scale = limit2 + 8 * offset * offset;
   SpaceGroup kept{group.vectors.front()};
   for (std::size_t i = 1, last = 0; i < group.vectors.size(); ++i) {
     const Real apart2 = group.squared_distance(i, last);

@@ -18,7 +18,6 @@ struct SideCase {
   bool side_changes = false;  // from A to B
   bool repeated = false;      // the code repeated in B, or in a block between
   int treatment = 0;          // Q of A: 1, 2 or 3; 0 without
-  Rational distance;          // r
   const SidePath& next;       // of B
 };
 
@@ -39,15 +38,11 @@ class SideRules {
  private:
   [[nodiscard]] std::optional<SideGroup> by_first_rule(const SideCorner& corner, const SideCase& given) const;
   [[nodiscard]] std::optional<SideGroup> in_mode(const SideCorner& corner) const;
-  [[nodiscard]] SideGroup start_up(const SideCorner& corner) const;
-  [[nodiscard]] SideGroup cancel(const SideCorner& corner) const;
-  // The vectors of type B at start-up or cancel; nothing where there is one as in type A.
-  [[nodiscard]] std::optional<SideGroup> detour(const SideCorner& corner, bool cancels) const;
+  [[nodiscard]] SideGroup start_or_cancel(const SideCorner& corner, bool cancels) const;
   [[nodiscard]] SideGroup side_change(const SideCorner& corner) const;
-  void drop_small_differences(SideGroup& group, const SideCase& given) const;
+  void drop_small_differences(SideGroup& group, const Rational& offset, const SidePath& next) const;
 
   Recorder& recorder_;
-  CornerRules plane_rules_;
   bool type_b_;              // 5003#0, SUP
   bool with_perpendicular_;  // of the start-up or cancel block itself
   Rational limit_;           // 5010, setup units

@@ -5,10 +5,47 @@
 #include <utility>
 
 #include "model/fanuc/corner/vector_group.h"
-#include "model/fanuc/tool_side_compensation/line_corner.h"
 #include "model/fanuc/tool_side_compensation/side_path.h"
 
 namespace toolcomp::model {
+
+// A corner of two lines: its class, and the vectors that stand at it, without a frame.
+//
+// With W = VT × U for the travel U of a line: S = VT · (U1 × U2) = W1 · U2 tells the turn to the left and C = W1 · W2
+// the way ahead, both as rational as VT and the program. Vectors are seen from the corner, X Y Z, setup units.
+// Refers to what it is made of.
+class LineCorner {
+ public:
+  LineCorner(Recorder& recorder, const CompensationPlane& plane, const SideEnd& former, const SideEnd& latter);
+
+  // The offset of `former` is not 0. Clauses: fanuc.tool-side.corner-side, straight-or-reversal, obtuse-or-acute.
+  [[nodiscard]] CornerClass classify() const;
+  // Whether the lines are parallel in the plane, asked where the side changes. Clause:
+  // fanuc.cutter-c.direction-change-parallel.
+  [[nodiscard]] bool is_parallel() const;
+  // Whether the angle of an acute corner is under 1°. Clause: fanuc.cutter-c.under-one-degree.
+  [[nodiscard]] bool is_under_one_degree() const;
+
+  // Vi: where the offset lines meet.
+  [[nodiscard]] Vector tangents_meet() const { return model::tangents_meet(former(), latter()); }
+  [[nodiscard]] Tangent<Vector> former() const { return tangent(former_); }
+  [[nodiscard]] Tangent<Vector> latter() const { return tangent(latter_); }
+
+ private:
+  // |VT| |U1| |U2|, or |VT|² |U1| |U2|: what S and C are measured against.
+  [[nodiscard]] Real scale_of_turn() const;
+  [[nodiscard]] Real scale_ahead() const;
+  [[nodiscard]] Tangent<Vector> tangent(const SideEnd& end) const {
+    return {end.left, plane_.right(end.left), sqrt(end.left2), end.offset};
+  }
+
+  Recorder& recorder_;
+  const CompensationPlane& plane_;
+  const SideEnd& former_;
+  const SideEnd& latter_;
+  Real turn_;   // S
+  Real ahead_;  // C
+};
 
 // In the plane at the end of the former. Refers to them.
 struct SideCorner {
@@ -31,22 +68,16 @@ struct SideGroup {
 };
 
 // Both ends of a corner with an arc in a frame of the plane.
-class FramedCorner {
- public:
+struct FramedCorner {
   explicit FramedCorner(const SideCorner& corner);
 
-  [[nodiscard]] const PathEnd& former() const { return former_; }
-  [[nodiscard]] const PathEnd& latter() const { return latter_; }
   // A group made of them.
   [[nodiscard]] SideGroup lifted(VectorGroup group) const;
 
- private:
-  void set_parallel(const Vector& v1, const Vector& v2);
-
-  const SideCorner& corner_;
-  PlaneFrame frame_;
-  PathEnd former_;
-  PathEnd latter_;
+  const SideCorner& corner;
+  PlaneFrame frame;
+  PathEnd former;
+  PathEnd latter;
 };
 
 // One vector: where the offset paths meet; r n2.

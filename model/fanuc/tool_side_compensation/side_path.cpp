@@ -4,30 +4,24 @@
 namespace toolcomp::model {
 namespace {
 
-SideEnd end_of(const SideArc& arc, const PlanePoint& from_center, int sense, const Rational& offset) {
+SideEnd end_of(const SideArc& arc, const PlanePoint& from_center, int sense) {
   SideEnd end;
-  end.offset = offset;
   end.arc = SideEnd::OfArc{arc.plane, from_center, sense * arc.ends.turn, arc.ends.radius};
   return end;
 }
 
 }  // namespace
 
-SideEnd line_end(const CompensationPlane& plane, const Vector& travel, const Rational& offset) {
+SideEnd line_end(const CompensationPlane& plane, const Vector& travel) {
   SideEnd end;
-  end.offset = offset;
   end.travel = travel;
   end.left = plane.left(travel);
   end.left2 = squared_norm(end.left);
   return end;
 }
 
-SideEnd arc_start(const SideArc& arc, const Rational& offset) {
-  return end_of(arc, arc.ends.start, arc.sense_at_start, offset);
-}
-SideEnd arc_end(const SideArc& arc, const Rational& offset) {
-  return end_of(arc, arc.ends.end, arc.sense_at_end, offset);
-}
+SideEnd arc_start(const SideArc& arc) { return end_of(arc, arc.ends.start, arc.sense_at_start); }
+SideEnd arc_end(const SideArc& arc) { return end_of(arc, arc.ends.end, arc.sense_at_end); }
 
 // Of an arc, along the part in the plane of the radius from the centre, ρ: -turn · offset · u(ρ)/|u(ρ)|, of which
 // |VT|² u(ρ) has the length |VT| |VT × ρ|.
@@ -44,10 +38,6 @@ Vector perpendicular(const CompensationPlane& plane, const SideEnd& end) {
 
 Vector direction_of(const SideEnd& end) {
   return end.arc ? in_space(end.arc->plane, end.arc->from_center) : end.travel;
-}
-
-PathEnd seen(const CompensationPlane& plane, const PlaneFrame& frame, const SideEnd& end) {
-  return seen(plane, project(frame, direction_of(end)), end);
 }
 
 PathEnd seen(const CompensationPlane& plane, const PlanePoint& direction, const SideEnd& end) {

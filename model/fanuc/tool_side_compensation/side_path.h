@@ -56,9 +56,10 @@ struct SideEnd {
   std::optional<OfArc> arc;
 };
 
-SideEnd line_end(const CompensationPlane& plane, const Vector& travel, const Rational& offset);
-SideEnd arc_start(const SideArc& arc, const Rational& offset);
-SideEnd arc_end(const SideArc& arc, const Rational& offset);
+// Without its offset.
+SideEnd line_end(const CompensationPlane& plane, const Vector& travel);
+SideEnd arc_start(const SideArc& arc);
+SideEnd arc_end(const SideArc& arc);
 
 // r n: at right angles to the path, of the length of the offset. Without a frame.
 Vector perpendicular(const CompensationPlane& plane, const SideEnd& end);
@@ -66,10 +67,8 @@ Vector perpendicular(const CompensationPlane& plane, const SideEnd& end);
 // What tells the direction of an end: the travel of a line, the radius of an arc from its centre.
 Vector direction_of(const SideEnd& end);
 
-// The end in the coordinates of a frame of the plane, as corners with arcs ask for it. Clause:
-// fanuc.tool-side.arc-in-the-plane.
-PathEnd seen(const CompensationPlane& plane, const PlaneFrame& frame, const SideEnd& end);
-// The same where the coordinates of direction_of(end) are known.
+// The end in the coordinates of a frame of the plane, as corners with arcs ask for it; `direction`: that of
+// direction_of(end) there. Clause: fanuc.tool-side.arc-in-the-plane.
 PathEnd seen(const CompensationPlane& plane, const PlanePoint& direction, const SideEnd& end);
 
 // The arc in its own plane, as the machine runs it; the offsets are to the left as the tool sees them.

@@ -6,8 +6,6 @@
 // made as soon as the next block that moves in the plane at its end is known, or that there is none near enough. It
 // goes out when the interference check of the next block that makes vectors has left them as they are.
 // spec/formal/program/SidePass.v has the same functions.
-#include "model/fanuc/tool_side_compensation/tool_side_compensation.h"
-
 #include <cstdint>
 #include <deque>
 #include <optional>
@@ -17,19 +15,44 @@
 #include "model/basis/alarm.h"
 #include "model/basis/number.h"
 #include "model/fanuc/passes/corner_moves.h"
-#include "model/fanuc/passes/interference_check.h"
+#include "model/fanuc/passes/passes.h"
 #include "model/fanuc/passes/window.h"
-#include "model/fanuc/program/blocks_read.h"
-#include "model/fanuc/program/pass.h"
 #include "model/fanuc/tool_side_compensation/checked_side_path.h"
 #include "model/fanuc/tool_side_compensation/mode.h"
 #include "model/fanuc/tool_side_compensation/plane_change.h"
 #include "model/fanuc/tool_side_compensation/rules.h"
-#include "model/fanuc/tool_side_compensation/tool_side_block.h"
-#include "model/fanuc/tool_side_compensation/tool_side_words.h"
 
 namespace toolcomp::model {
 namespace {
+
+std::optional<CutterSide> side_of(Compensation code) {
+  switch (code) {
+    case Compensation::cancel:
+      return CutterSide::none;
+    case Compensation::tool_side_left:
+    case Compensation::directed_tool_side_left:
+      return CutterSide::left;
+    case Compensation::tool_side_right:
+    case Compensation::directed_tool_side_right:
+      return CutterSide::right;
+    default:
+      return std::nullopt;
+  }
+}
+
+bool is_directed(Compensation code) {
+  return code == Compensation::directed_tool_side_left || code == Compensation::directed_tool_side_right;
+}
+
+// Q1, Q2, Q3; 0 for any other value.
+std::optional<int> treatment(const Command& command) {
+  const spec::Decimal* const word = command.words.find('Q');
+  if (word == nullptr) return std::nullopt;
+  const Rational value = plain(*word);
+  for (const int known : {1, 2, 3})
+    if (value == known) return known;
+  return 0;
+}
 
 // Hands on every move with its compensation vector (Move::offset), the moves that belong to a block but are inserted
 // beside its own, arcs as the tool runs them. Clauses: fanuc.tool-side.*, and those of fanuc.cutter-c.* that they name;
@@ -40,20 +63,17 @@ class ToolSideCompensation final : public Pass {
   explicit ToolSideCompensation(const Place& place)
       : Pass(place),
         limit_(blocks_read(place.setup) - 1),
-        words_(place.setup, place.memory, place.recorder),
+        words_(place, side_of),
         rules_(place.setup, place.recorder),
         plane_change_(place.setup, place.recorder),
-        axes_(place.setup.axes),
-        checks_interference_(!place.setup.bit(5008, 0)),
-        type_c_(place.setup.bit(5003, 1)),
-        on_mixed_machine_(parameter(place.setup, 19680) == 21),
-        series_30i_(place.setup.series == spec::Series::series_30i),
-        mode_(place.setup, place.recorder, limit_) {}
+        mode_(place.setup, place.recorder) {}
 
   [[nodiscard]] Extent extent() const override { return Extent::space; }
   [[nodiscard]] int look_ahead() const override { return 2 * limit_; }
   [[nodiscard]] bool on() const override { return mode_.is_on_or_asked_for(); }
-  [[nodiscard]] bool on_after(const Command& command) const override { return words_.wanted(command); }
+  [[nodiscard]] bool on_after(const Command& command) const override {
+    return words_.side_after(command) != CutterSide::none && words_.number_after(command) != 0;
+  }
   // Throws Alarm PS5460.
   void refuse_rotary_word(const Command& command) const override {
     // fanuc.tool-side.rotary-word: A rotary axis word in a block under G43.5 raises PS5460 if tool side compensation is
@@ -65,9 +85,11 @@ class ToolSideCompensation final : public Pass {
   // From the first G41.2, G42.2, G41.6 or G42.6 of a program on. Throws Alarm TOOL_SIDE_MODE, PS0037,
   // FORBIDDEN_IN_3D_COMPENSATION, Q_FORMAT, TYPE_C_FORMAT, PS0034 or PS0029.
   void read(const BlockWords& now, StepWords& words) override {
-    words.side = words_.read(now);
+    words.side = words_.read<ToolSideBlock>(now, false, now.command.codes.one_shot == OneShot::none);
     if (!words.side) return;
-    check(*words.side);
+    words.side->treatment = treatment(now.command);
+    words.side->changes_workpiece_system = now.command.codes.workpiece.has_value();
+    check(*words.side, now);
     words_.add_value(*words.side);
   }
 
@@ -77,10 +99,15 @@ class ToolSideCompensation final : public Pass {
   [[nodiscard]] bool has(const StepWords& words) const override { return words.side != nullptr; }
   void take(OwnedStep step) override {
     if (step->stops_look_ahead) make_without_next(step->line);
-    SidePlan plan = mode_.next(*step->words.side, *step);
+    SidePlan plan = mode_.next(*step->words.side, *step, waiting());
     step->clauses.add(recorder().take_clauses());
     step->warning = plan.warning;
     window_.push({std::move(step), std::move(plan)});
+    SidePlan& last = window_.back().plan;
+    if (last.part != SidePart::idle || !last.moves_behind()) return;
+    std::size_t made = window_.size();
+    while (made > 0 && window_[made - 1].plan.number == 0) --made;
+    last.leaves_corner = made == 0 || look(made - 1);
   }
 
   void end() override { window_.end(); }
@@ -97,38 +124,27 @@ class ToolSideCompensation final : public Pass {
     OwnedStep step;
     SidePlan plan;
   };
-  // What follows a block that makes a vector.
-  struct Ahead {
-    enum class Kind : std::uint8_t {
-      unknown,  // as far as the program has been read, or not asked
-      next,     // a block that makes a corner with it
-      none      // no such block, by `why`
-    };
-    Kind kind = Kind::unknown;
-    const Planned* next = nullptr;
-    const SideEnd* start = nullptr;  // how that block leaves the corner
-    bool repeated = false;           // the code repeated in it, or in a block between
-    bool between = false;            // blocks without movement come between
-    Clause why{};
-  };
+  using Ahead = Window<Planned>::Ahead;
 
-  void check(const ToolSideBlock& words) const {
+  void check(const ToolSideBlock& words, const BlockWords& now) const {
+    const auto& code = now.command.codes.compensation;
     // fanuc.tool-side.code-for-the-mode: Under G43.5, where I J K give the tool direction, the codes are G41.6 and
     // G42.6; otherwise they are G41.2 and G42.2. The codes of both pairs mean the same (a program of the manual shows
     // G42.6).
-    if (words.wrong_mode) raise(recorder(), Clause::fanuc_tool_side_code_for_the_mode, AlarmCause::side_mode);
+    if (code && is_tool_side(*code) && is_directed(*code) != now.directed)
+      raise(recorder(), Clause::fanuc_tool_side_code_for_the_mode, AlarmCause::side_mode);
     // fanuc.tool-side.plane-selected: A G17, G18 or G19 that changes the plane raises PS0037 if tool side compensation
     // is on before the block. This holds also for the block that cancels it.
     if (on() && words.plane_changed)
       raise(recorder(), Clause::fanuc_tool_side_plane_selected, AlarmCause::plane_change);
-    forbid(words);
+    forbid(words, now);
     // fanuc.tool-side.q-format: A Q with another value than 1, 2 or 3 in a block after which tool side compensation is
     // on raises Q_FORMAT, a name of ours, whatever else the block does. In other blocks Q is not looked at.
     if (words.wanted() && words.treatment == 0)
       raise(recorder(), Clause::fanuc_tool_side_q_format, AlarmCause::treatment);
-    const bool starts = words.wanted() && !mode_.is_on() && !mode_.is_pending();
-    const bool cancels = !words.wanted() && mode_.is_on();
-    check_type_c(words, starts, cancels);
+    const bool starts = mode_.starts(words.wanted());
+    const bool cancels = mode_.cancels(words.wanted());
+    check_type_c(now, starts, cancels);
     // fanuc.cutter-c.start-or-cancel-in-arc: An arc as start-up block or as cancel block raises PS0034. The words of
     // the block tell whether it is an arc: G02 or G03 in force, no code of group 00 in the block (G45 to G48 do not
     // count here), and an axis word of the plane, R, I, J or K in the block. In tool side compensation I, J and K count
@@ -138,15 +154,16 @@ class ToolSideCompensation final : public Pass {
     // fanuc.tool-side.arc-on-mixed-machine: On the 30i only G00 and G01 are allowed in compensation on a mixed machine
     // (19680 = 21). There an arc in a block after which tool side compensation is on raises PS5461; the words of the
     // block tell whether it is an arc, as in fanuc.cutter-c.start-or-cancel-in-arc. The 16i runs the arc.
-    if (words.arc_words && words.wanted() && on_mixed_machine_ &&
-        recorder().decide(Clause::fanuc_tool_side_arc_on_mixed_machine, series_30i_))
+    if (words.arc_words && words.wanted() && parameter(setup(), 19680) == 21 &&
+        recorder().decide(Clause::fanuc_tool_side_arc_on_mixed_machine, setup().series == spec::Series::series_30i))
       throw Alarm(AlarmCause::arc_in_compensation);
   }
 
-  void forbid(const ToolSideBlock& words) const {
-    const bool around = (on() || words.wanted()) && words.leaves_the_path;
-    const bool after =
-        words.wanted() && (words.refused_while_on || (words.auxiliary && (words.moves || words.arc_words)));
+  void forbid(const ToolSideBlock& words, const BlockWords& now) const {
+    const Codes& codes = now.command.codes;
+    const bool around = (on() || words.wanted()) && codes.one_shot != OneShot::none;
+    const bool refused = codes.workpiece || codes.units || codes.refused_in_space;
+    const bool after = words.wanted() && (refused || (codes.auxiliary && (now.moves() || words.arc_words)));
     // fanuc.tool-side.forbidden: Codes that do not go together with tool side compensation raise
     // FORBIDDEN_IN_3D_COMPENSATION (the alarm number is not known). In a block after which the compensation is on,
     // these are G54 to G59, G54.1, G20, G21, G96, G97, G160, G05 except with P10000, and an M, S or T word together
@@ -155,29 +172,26 @@ class ToolSideCompensation final : public Pass {
       raise(recorder(), Clause::fanuc_tool_side_forbidden, AlarmCause::forbidden_in_compensation);
   }
 
-  void check_type_c(const ToolSideBlock& words, bool starts, bool cancels) const {
-    if (!type_c_ || !(starts || cancels)) return;
+  void check_type_c(const BlockWords& now, bool starts, bool cancels) const {
+    if (!setup().bit(5003, 1) || !(starts || cancels)) return;
     // fanuc.tool-side.type-c-format: A block of type C that makes or removes the vector raises TYPE_C_FORMAT (a name of
     // ours, the number is not known) if it has an axis word, linear or rotary (I J K under G43.5 included), or if G02
     // or G03 is in force. A block that makes the vector also raises it with an M code that stops reading ahead
     // (fanuc.program.stops-reading-ahead), or if the block right after it does not move in the plane of VT before that
     // block (its own end does not matter), cancels, raises an alarm of its own (DIR_CHANGE_AT_STARTUP and PS0038 too),
     // leaves the run undecided or is not there.
-    if (words.moves || words.arc_mode || (starts && words.stops_look_ahead))
+    if (now.moves() || now.command.is_arc_motion() || (starts && now.command.codes.stops_look_ahead))
       raise(recorder(), Clause::fanuc_tool_side_type_c_format, AlarmCause::type_c_format);
   }
 
   // The first block that waits, if what it needs is known.
   bool make_next() {
     if (window_.empty()) return false;
-    Ahead ahead;
-    if (window_.front().plan.number > 0) {
-      ahead = look();
-      if (ahead.kind == Ahead::Kind::unknown) return false;
-    }
+    const auto ahead = look();
+    if (!ahead) return false;
     Planned b = window_.pop();
     recorder().at(b.step->line);
-    make_moves(b, ahead);
+    make_moves(b, *ahead);
     return true;
   }
 
@@ -200,21 +214,29 @@ class ToolSideCompensation final : public Pass {
   // the run undecided, and before G40 or number 0 in a block that does not move in the plane at the end of A.
   // fanuc.tool-side.look-ahead-stopped: An M code that stops reading ahead (fanuc.program.stops-reading-ahead) stops
   // the look-ahead. The block A before it, also a start-up block, ends with the vector perpendicular to it.
-  [[nodiscard]] Ahead look() const {
-    using Kind = Ahead::Kind;
-    const std::uint64_t number = window_.front().plan.number;
+  [[nodiscard]] std::optional<Ahead> look(std::size_t at = 0) const {
+    const SidePlan& a = window_[at].plan;
+    if (a.number == 0) return Ahead{};
     bool repeated = false;
     int count = 0;
-    for (std::size_t i = 0; i < window_.following(); ++i) {
-      const Planned& b = window_.after(i);
+    for (std::size_t i = at + 1; i < window_.size(); ++i) {
+      const Planned& b = window_[i];
       repeated = repeated || b.step->words.side->repeats_code();
-      if (const SideEnd* const start = b.plan.start_at(number)) return {Kind::next, &b, start, repeated, count > 0, {}};
-      const bool must_follow = window_.front().plan.part == SidePart::lone_start;
-      if (b.plan.cancels || must_follow) return {.kind = Kind::none, .why = Clause::fanuc_tool_side_no_next_block};
-      if (++count >= limit_) return {.kind = Kind::none, .why = Clause::fanuc_tool_side_two_blocks_without_movement};
+      if (b.plan.start_at(a.number) != nullptr) return Ahead{&b, repeated, count > 0};
+      if (b.plan.cancels || a.part == SidePart::lone_start) return Ahead{.why = Clause::fanuc_tool_side_no_next_block};
+      if (++count >= limit_) return Ahead{.why = Clause::fanuc_tool_side_two_blocks_without_movement};
     }
-    if (stopped_) return {.kind = Kind::none, .why = Clause::fanuc_tool_side_look_ahead_stopped};
-    return {.kind = window_.ended() ? Kind::none : Kind::unknown, .why = Clause::fanuc_tool_side_no_next_block};
+    if (stopped_) return Ahead{.why = Clause::fanuc_tool_side_look_ahead_stopped};
+    if (!window_.ended()) return std::nullopt;
+    return Ahead{.why = Clause::fanuc_tool_side_no_next_block};
+  }
+
+  // The blocks whose corners are not known.
+  [[nodiscard]] std::vector<const SidePlan*> waiting() const {
+    std::vector<const SidePlan*> result;
+    for (std::size_t i = 0; i < window_.size(); ++i)
+      if (!look(i)) result.push_back(&window_[i].plan);
+    return result;
   }
 
   // The moves of a block, and where the tool stands after it.
@@ -270,14 +292,14 @@ class ToolSideCompensation final : public Pass {
   void mode_block(Planned& a, const Ahead& ahead) {
     const SidePlan& plan = a.plan;
     SpaceGroup at_end = group_at_end(a, ahead);
-    const SideBlock block{plan.plane, plan.path, *plan.end, start_of_arc(plan)};
-    std::optional<ToolArcRun> run = arc_run(recorder(), block, tool_.heads.back(), at_end.front());
+    const ArcStart start = start_of_arc(plan);
+    std::optional<ToolArcRun> run = arc_run(recorder(), plan, start, tool_.heads.back(), at_end.front());
     Checked checked;
     // fanuc.cutter-c.interference-check: No. 5008 bit 0, CNI, switches the interference check: 0 checks, 1 does not.
     if (plan.part == SidePart::moving &&
-        recorder().decide(Clause::fanuc_cutter_c_interference_check, checks_interference_))
-      checked = check_interference(recorder(), {}, between_vectors(recorder(), block), tool_.heads, at_end,
-                                   run ? &*run : nullptr);
+        recorder().decide(Clause::fanuc_cutter_c_interference_check, !setup().bit(5008, 0)))
+      checked =
+          check_interference(recorder(), {}, between_vectors(plan, start), tool_.heads, at_end, run ? &*run : nullptr);
     // fanuc.cutter-c.interference-alarm: Interference of the last pair, or of the only pair, raises PS0041 (except in
     // fanuc.cutter-c.interference-without-alarm). The alarm names the block. Neither the block nor its corner moves are
     // given; the block before it runs to the first head of its own group.
@@ -301,13 +323,14 @@ class ToolSideCompensation final : public Pass {
     if (!plan.path.arc) return {};
     const Rational offset = plan.offset.side * plan.distance_before;
     const CompensationPlane& plane = plan.at_corner ? plane_ : plan.plane;
-    const SideEnd end = arc_start(*plan.path.arc, plan.at_corner ? offset : plan.offset.left());
-    return {plane_, offset, seen(plane, plane.frame(), end)};
+    SideEnd end = arc_start(*plan.path.arc);
+    end.offset = plan.at_corner ? offset : plan.offset.left();
+    return {plane_, offset, seen(plane, project(plane.frame(), direction_of(end)), end)};
   }
 
   // The vectors at the end of a block that makes one: those of the corner, or the one perpendicular to it.
   [[nodiscard]] SpaceGroup group_at_end(const Planned& a, const Ahead& ahead) {
-    if (ahead.kind == Ahead::Kind::none) {
+    if (ahead.next == nullptr) {
       recorder().reach(ahead.why);
       return rules_.in_plane(rules_.square_to(a.plan.plane, *a.plan.end));
     }
@@ -317,14 +340,13 @@ class ToolSideCompensation final : public Pass {
                    .cancels = next.cancels,
                    .side_changes = a.plan.offset.side != next.offset.side,
                    .repeated = ahead.repeated,
-                   .distance = a.plan.offset.distance,
                    .next = next.path};
     if (!given.starts && !given.cancels) given.treatment = a.step->words.side->treatment.value_or(0);
     // fanuc.cutter-c.value-at-a-corner: A new number or value counts for the vectors at the end of the moving block
     // that has it, or, if that block does not move, at the end of the next moving block.
     if (!given.cancels)
       recorder().decide(Clause::fanuc_cutter_c_value_at_a_corner, next.offset.value != a.plan.offset.value);
-    auto group = rules_.group({a.plan.plane, *a.plan.end, *ahead.start}, given);
+    auto group = rules_.group({a.plan.plane, *a.plan.end, *next.start_at(a.plan.number)}, given);
     // fanuc.cutter-c.no-intersection: An inner corner with an arc and R' >= 0 whose offset paths do not meet raises
     // PS0033. The alarm names A. Neither A nor a corner move of A is given, and the blocks before A are given as
     // computed with A present.
@@ -333,8 +355,7 @@ class ToolSideCompensation final : public Pass {
     // fanuc.tool-side.plane-change-alarm: If all three conditions of the plane change check hold, PS0041 is raised;
     // OVERCUT_PLANE_CHANGE is our name for this cause of it. The alarm list of this control has P/S0041; the text of
     // the manual has PS0272, a number of a sister control.
-    if (in_mode && a.plan.end->offset != 0 && given.treatment == 0 &&
-        plane_change_.interferes({a.plan.path.travel, a.plan.plane.tool()}, {next.path.travel, next.plane.tool()}))
+    if (in_mode && a.plan.end->offset != 0 && given.treatment == 0 && plane_change_.interferes(a.plan, next))
       raise_at(a, Clause::fanuc_tool_side_plane_change_alarm, AlarmCause::interference, {});
     return rules_.in_plane(std::move(*group));
   }
@@ -343,11 +364,10 @@ class ToolSideCompensation final : public Pass {
     // fanuc.tool-side.start-type-c: With type C, the block with which a code and a number other than 0 come into force
     // inserts a move from the uncompensated point by the vector perpendicular to the next block at its start, in the
     // plane of VT at that moment. The cause of the move is start-up, and it is of the kind of group 01.
-    if (ahead.kind != Ahead::Kind::next)
-      raise_at(b, Clause::fanuc_tool_side_type_c_format, AlarmCause::type_c_format, {});
+    if (ahead.next == nullptr) raise_at(b, Clause::fanuc_tool_side_type_c_format, AlarmCause::type_c_format, {});
     recorder().reach(Clause::fanuc_tool_side_start_type_c);
     plane_ = b.plan.plane;
-    tool_.heads = square_to_latter(plane_, *ahead.start);
+    tool_.heads = square_to_latter(plane_, *ahead.next->plan.start_at(b.plan.number));
     change_alone(*b.step, spec::Cause::start_up, b.plan.changes);
     b.step->clauses.add(recorder().take_clauses());
     run_at_last_head(std::move(b.step));
@@ -371,7 +391,7 @@ class ToolSideCompensation final : public Pass {
   void lone_cancel(Planned& b) {
     // fanuc.tool-side.type-c: Start-up and cancel are of type C if No. 5003 bit 1, SUV, is 1, whatever bit 0 is. If SUV
     // is 0, bit 0 chooses between the other two types (fanuc.tool-side.type-b).
-    const bool removes = recorder().decide(Clause::fanuc_tool_side_type_c, type_c_);
+    const bool removes = recorder().decide(Clause::fanuc_tool_side_type_c, setup().bit(5003, 1));
     // fanuc.tool-side.cancel-type-c: With type C, the last compensated block ends with the vector perpendicular to it.
     // The block with G40 or number 0, which has no move of its own, inserts a move that takes the vector away. The
     // cause of this move is cancel, and it is of the kind of group 01.
@@ -402,20 +422,14 @@ class ToolSideCompensation final : public Pass {
   [[noreturn]] void raise_at(const Planned& b, Clause clause, AlarmCause cause, const Real& crossing) {
     flush();
     recorder().reach(clause);
-    const Alarm alarm = geometry_alarm(*b.step, axes_, cause, crossing);
     window_.clear();
-    throw Alarm(alarm);
+    throw geometry_alarm(*b.step, setup().axes, cause, crossing);
   }
 
   int limit_;
-  ToolSideWords words_;
+  CornerWords words_;
   SideRules rules_;
   PlaneChangeCheck plane_change_;
-  spec::Axes axes_;
-  bool checks_interference_;  // 5008#0, CNI, is 0
-  bool type_c_;               // 5003#1, SUV
-  bool on_mixed_machine_;     // 19680 = 21
-  bool series_30i_;
 
   SideMode mode_;
   Window<Planned> window_;

@@ -61,7 +61,7 @@ class ModelCorner : public ::testing::Test {
   PathEnd a = line(40, 0);
 
   std::string mode(const PathEnd& former, const PathEnd& latter) {
-    const auto group = rules.offset_mode(former, latter);
+    const auto group = offset_mode(recorder, former, latter);
     return group ? text(*group) : "none";
   }
 };
@@ -94,13 +94,13 @@ TEST_F(ModelCorner, UnderOneDegree) {
 TEST_F(ModelCorner, Vectors) {
   EXPECT_EQ(text(perpendicular(line(3, 4))), "(-8, 6)");
   EXPECT_EQ(text(perpendicular(arc(10, -40, -1))), text(perpendicular(line(40, 10))));
-  EXPECT_EQ(text(tangents_meet(a, line(24, 32))), "(-5, 10)");
-  EXPECT_EQ(text(tangents_meet(a, line(30, 30))), "(-4.142135623731, 10)");
-  EXPECT_EQ(text(prolonged(a)), "(10, 10)");
-  EXPECT_EQ(text(begun_before(line(-30, -40))), "(14, 2)");
+  EXPECT_EQ(text(tangents_meet(tangent(a), tangent(line(24, 32)))), "(-5, 10)");
+  EXPECT_EQ(text(tangents_meet(tangent(a), tangent(line(30, 30)))), "(-4.142135623731, 10)");
+  EXPECT_EQ(text(prolonged(tangent(a))), "(10, 10)");
+  EXPECT_EQ(text(begun_before(tangent(line(-30, -40)))), "(14, 2)");
   // On the right of the path both are prolonged too.
-  EXPECT_EQ(text(prolonged(line(40, 0, -10))), "(10, -10)");
-  EXPECT_EQ(text(begun_before(line(-30, 40, -10))), "(14, -2)");
+  EXPECT_EQ(text(prolonged(tangent(line(40, 0, -10)))), "(10, -10)");
+  EXPECT_EQ(text(begun_before(tangent(line(-30, 40, -10)))), "(14, -2)");
 }
 
 TEST_F(ModelCorner, OffsetMode) {
@@ -134,17 +134,18 @@ TEST_F(ModelCorner, OffsetLargerThanTheRadius) {
 }
 
 TEST_F(ModelCorner, StartUpAndCancel) {
-  EXPECT_EQ(text(rules.start_up(a, line(40, -30))), "(6, 8)");
-  EXPECT_EQ(text(type_b.start_up(a, line(40, -30))), "(0, 10)(3.3333333333333, 10)");
-  EXPECT_EQ(text(type_b.start_up(a, line(0, 30))), "(-10, 0)");
-  EXPECT_EQ(text(type_b.start_up(a, arc(-40, 30, -1))), "(0, 10)(10, 10)(14, 2)(8, -6)");
-  EXPECT_EQ(text(type_b.cancel(a, line(-30, -40))), "(10, 10)(14, 2)(8, -6)");
-  EXPECT_EQ(text(type_b.cancel(arc(-30, -40, 1, -10), line(-40, 0, -10))), "(6, 8)(3.3333333333333, 10)(0, 10)");
-  EXPECT_EQ(text(rules.cancel(a, line(-30, -40))), "(0, 10)");
+  EXPECT_EQ(text(rules.start_or_cancel(a, line(40, -30), false)), "(6, 8)");
+  EXPECT_EQ(text(type_b.start_or_cancel(a, line(40, -30), false)), "(0, 10)(3.3333333333333, 10)");
+  EXPECT_EQ(text(type_b.start_or_cancel(a, line(0, 30), false)), "(-10, 0)");
+  EXPECT_EQ(text(type_b.start_or_cancel(a, arc(-40, 30, -1), false)), "(0, 10)(10, 10)(14, 2)(8, -6)");
+  EXPECT_EQ(text(type_b.start_or_cancel(a, line(-30, -40), true)), "(10, 10)(14, 2)(8, -6)");
+  EXPECT_EQ(text(type_b.start_or_cancel(arc(-30, -40, 1, -10), line(-40, 0, -10), true)),
+            "(6, 8)(3.3333333333333, 10)(0, 10)");
+  EXPECT_EQ(text(rules.start_or_cancel(a, line(-30, -40), true)), "(0, 10)");
   // Under 1° there is no detour between lines; an arc has one.
-  EXPECT_EQ(text(type_b.start_up(a, line(-40, 0))), "(0, -10)");
-  EXPECT_EQ(text(type_b.cancel(a, line(-40, 0))), "(0, 10)");
-  EXPECT_EQ(text(type_b.start_up(a, arc(0, 30, -1))), "(0, 10)(10, 10)(10, -10)(0, -10)");
+  EXPECT_EQ(text(type_b.start_or_cancel(a, line(-40, 0), false)), "(0, -10)");
+  EXPECT_EQ(text(type_b.start_or_cancel(a, line(-40, 0), true)), "(0, 10)");
+  EXPECT_EQ(text(type_b.start_or_cancel(a, arc(0, 30, -1), false)), "(0, 10)(10, 10)(10, -10)(0, -10)");
 }
 
 TEST_F(ModelCorner, CancelAlongADirection) {
@@ -158,7 +159,7 @@ TEST_F(ModelCorner, CancelAlongADirection) {
 }
 
 TEST_F(ModelCorner, ChangeOfDirection) {
-  const auto change = [this](const PathEnd& latter) { return text(rules.direction_change(a, latter)); };
+  const auto change = [this](const PathEnd& latter) { return text(direction_change(recorder, a, latter)); };
   EXPECT_EQ(change(line(0, 30, -10)), "(10, 10)");
   EXPECT_EQ(change(line(-40, 0, -10)), "(0, 10)");
   EXPECT_EQ(change(line(40, 0, -10)), "(0, -10)");
@@ -170,7 +171,7 @@ TEST_F(ModelCorner, ChangeOfDirection) {
 
 TEST_F(ModelCorner, SmallMovements) {
   const OffsetPath next = line_path({-20, -99}, 10, 10);
-  VectorGroup group = rules.offset_mode(a, next.start).value();
+  VectorGroup group = offset_mode(recorder, a, next.start).value();
   ASSERT_EQ(group.size(), 2U);
   CutterRules(setup("5010 = 2"), recorder).drop_small_movements(group, next);
   EXPECT_EQ(group.size(), 2U);
@@ -178,10 +179,10 @@ TEST_F(ModelCorner, SmallMovements) {
   EXPECT_EQ(text(group), "(10, 10)");
   // The limit itself is small: the acute corner straight back differs by (0, -20).
   const OffsetPath back = line_path({-40, 0}, 10, 10);
-  group = rules.offset_mode(a, back.start).value();
+  group = offset_mode(recorder, a, back.start).value();
   CutterRules(setup("5010 = 20"), recorder).drop_small_movements(group, back);
   EXPECT_EQ(text(group), "(10, 10)");
-  group = rules.offset_mode(a, back.start).value();
+  group = offset_mode(recorder, a, back.start).value();
   CutterRules(setup("5010 = \"-1\""), recorder).drop_small_movements(group, back);
   EXPECT_EQ(group.size(), 2U);
 }
@@ -192,10 +193,11 @@ TEST_F(ModelCorner, Interference) {
     const spec::Plane plane = spec::Plane::xy;
     SpaceGroup at_start = in_space(plane, start);
     SpaceGroup at_end = in_space(plane, end);
-    const Passage passage = remove_interference(
-        recorder, at_start, at_end, [&](bool /*first*/, const SpaceVector& from, const SpaceVector& to) {
-          return line_interferes(recorder, path, in_plane_of(plane, from.vector), in_plane_of(plane, to.vector));
-        });
+    CheckedPath checked;
+    checked.along = [&](const Vector& from, const Vector& to) {
+      return way_along(path, in_plane_of(plane, from), in_plane_of(plane, to));
+    };
+    const Passage passage = check_interference(recorder, {}, checked, at_start, at_end, nullptr).passage;
     const char* const name = passage == Passage::free        ? "free "
                              : passage == Passage::shortened ? "shortened "
                                                              : "blocked ";
@@ -215,7 +217,7 @@ TEST_F(ModelCorner, ForcedOutcomesWithoutAFiniteVector) {
   // Straight back forced to be an inner corner.
   Recorder forced(true);
   forced.force(0, Sign::positive);
-  EXPECT_THROW((void)CutterRules(setup(), forced).offset_mode(a, line(-40, 0)), NotFinite);
+  EXPECT_THROW((void)offset_mode(forced, a, line(-40, 0)), NotFinite);
 }
 
 }  // namespace

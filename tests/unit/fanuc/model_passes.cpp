@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "model/fanuc/passes/passes.h"
-#include "model/fanuc/sections.h"
 #include "tests/support/setup_with_feed.h"
 #include "tests/unit/model_run.h"
 
