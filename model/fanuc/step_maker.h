@@ -46,10 +46,12 @@ class StepMaker {
     Step& step;
     TipMarks tip = {};
     bool compensates = false;  // by radius, before or after it
-    std::vector<Leg> legs = {};
     LengthPlan plan = {};
-    bool machine = false;                   // its moves have machine coordinates
+    bool machine = false;  // its moves have machine coordinates
+    // NOLINTBEGIN(*-redundant-member-init): GCC warns where braces leave them out otherwise
+    std::vector<Leg> legs = {};
     std::optional<OffsetWrite> write = {};  // of a G10 or G37 block
+    // NOLINTEND(*-redundant-member-init)
   };
 
   // In this order; the alarms of a command are found in the first three.
