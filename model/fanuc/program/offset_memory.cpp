@@ -99,7 +99,8 @@ std::optional<OffsetWrite> OffsetMemory::read_write(const Words& words, const Nu
 
   const spec::Decimal* const r = words.find('R');
   // fanuc.memory.g10-value: R of G10 is the value. Without R nothing is written, and on the 30i PS0031 is raised.
-  if (!recorder_.decide(Clause::fanuc_memory_g10_value, r != nullptr)) {
+  recorder_.decide(Clause::fanuc_memory_g10_value, r != nullptr);
+  if (r == nullptr) {
     if (series_ == spec::Series::series_30i) throw Alarm(AlarmCause::g10_number);
     return std::nullopt;
   }
