@@ -69,7 +69,7 @@ struct SideGroup {
 
 // Both ends of a corner with an arc in a frame of the plane.
 struct FramedCorner {
-  explicit FramedCorner(const SideCorner& corner);
+  explicit FramedCorner(const SideCorner& of);
 
   // A group made of them.
   [[nodiscard]] SideGroup lifted(VectorGroup group) const;
