@@ -23,6 +23,7 @@ Outcome gpg(const std::string& words) {
   constexpr std::size_t kMost = std::size_t{1} << 16;
   constexpr int kNotFound = 127;
   Outcome outcome;
+  // NOLINTNEXTLINE(cert-env33-c): the words are quoted (host::shell_quoted)
   std::FILE* const pipe = ::popen(("gpg --batch --no-tty " + words + " 2>&1 </dev/null").c_str(), "r");
   if (pipe == nullptr) return outcome;
   std::array<char, 4096> buffer{};
