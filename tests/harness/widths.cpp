@@ -63,16 +63,20 @@ class WidthsOf : public testing::TestWithParam<std::string_view> {};
 TEST_P(WidthsOf, AreNarrow) {
   const std::string section(GetParam());
   Widths widths;
+  std::uint64_t wide = 0;
   const auto judge = [&](const spec::Case& c) {
     const Trial trial = try_case(c);
     EXPECT_FALSE(trial.found()) << c.id << "\n" << c.program;
     widths.add(trial.verdict.widths);
+    wide += trial.verdict.wide;
   };
   corpus::Selection selection;
   selection.sections = {section};
   for (const corpus::Vector& vector : corpus::read_vectors(corpus::default_folder(), selection)) judge(vector.c);
   for (const spec::Case& c : certify::select_cases(section, 1, generated_cases()).cases) judge(c);
   ASSERT_GT(widths.count(), 0U);
+  // What is granted more than the cap of 1 um (policy::kCap) is counted as not judged.
+  EXPECT_NEAR(static_cast<double>(wide), widths.share_above_um() * static_cast<double>(widths.count()), 0.5);
   std::printf("%s\n",
               fmt::format("{:<36} {:>8} values, median {:.2g} um, 99 % {:.2g} um, largest {:.2g} um, above 1 nm "
                           "{:.4f} %, above 1 um {:.4f} %",
