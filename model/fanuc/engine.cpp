@@ -30,7 +30,7 @@ struct Engine::State {
         recorder(the_recorder),
         memory(setup, recorder),
         maker(setup, memory, recorder, samples > 1 || motions != nullptr),
-        compensation(sections(setup), {setup, memory, recorder}),
+        compensation(passes_of(setup), {setup, memory, recorder}),
         reporter(setup, recorder, sink, samples, motions) {
     if (motions != nullptr) motions->stand(maker.zero(), 0, {});
   }

@@ -153,7 +153,7 @@ class Bench:
         self.cases, self.runs = options.cases, options.runs
         oracle = ORACLE_TESTS if options.quick else ORACLE_TESTS + SLOW_ORACLE_TESTS
         self.tests = oracle if self.sources == "oracle" else tests_of(self.sources)
-        # A file of the fast engine is compiled three times; the first is the engine as it is shipped.
+        # A file of the fast engine is compiled twice; the first is the engine as it is shipped.
         self.commands = {}
         for entry in json.loads((build / "compile_commands.json").read_text()):
             self.commands.setdefault(entry["file"], entry)

@@ -5,7 +5,7 @@
 
 namespace toolcomp::model {
 
-std::vector<PassMaker> sections(const spec::Setup& setup) {
+std::vector<PassMaker> passes_of(const spec::Setup& setup) {
   const bool type_b = setup.cutter_compensation == spec::CutterCompensationType::b;
   return {leading_edge_offset, type_b ? cutter_compensation_b : cutter_compensation_c, tool_side_compensation};
 }

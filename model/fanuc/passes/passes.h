@@ -19,9 +19,9 @@ std::unique_ptr<Pass> cutter_compensation_b(const Pass::Place& place);
 std::unique_ptr<Pass> cutter_compensation_c(const Pass::Place& place);
 std::unique_ptr<Pass> tool_side_compensation(const Pass::Place& place);
 // Those of a setup, in the order in which a step goes through them.
-std::vector<PassMaker> sections(const spec::Setup& setup);
+std::vector<PassMaker> passes_of(const spec::Setup& setup);
 
-// Asks every pass alike, and knows none of them.
+// Asks every pass alike.
 class Passes {
  public:
   // Before and after a block.

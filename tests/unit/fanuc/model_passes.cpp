@@ -155,7 +155,7 @@ void expect_look_ahead(const std::string& keys, std::size_t place, std::uint64_t
   const spec::Setup setup = spec::read_setup_toml(kStart + keys + kOffsets, "setup.toml");
   model::Recorder recorder;
   const model::OffsetMemory memory(setup, recorder);
-  const auto pass = model::sections(setup).at(place)({setup, memory, recorder});
+  const auto pass = model::passes_of(setup).at(place)({setup, memory, recorder});
   EXPECT_EQ(static_cast<std::uint64_t>(pass->look_ahead()), blocks);
   EXPECT_EQ(longest_hold(setup, program), blocks) << program;
 }
