@@ -20,6 +20,8 @@ struct Direction {
 
   // From components that are not all zero (I J K).
   static Direction of(const Vector& vector);
+  // From components of length 1.
+  static Direction of_unit(const Vector& unit) { return {unit, 1, unit, true}; }
 };
 
 // Tool direction of a setup: parameters 19680–19690 and 19697–19699, or, where 19680 is 0, the older set 19610–19623.

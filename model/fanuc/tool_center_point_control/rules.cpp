@@ -54,8 +54,7 @@ Direction TipRules::leaned(const Direction& tool, const Leg& leg, const Rational
   const auto coordinate = along_coordinate(normal);
   const Vector across =
       coordinate ? cross(*coordinate, tool.unit) : cross(normal, tool.vector) / sqrt(normal2 * tool.norm2);
-  const Vector unit = exact::cos_degrees(degrees) * tool.unit + exact::sin_degrees(degrees) * across;
-  return {unit, 1, unit, true};
+  return Direction::of_unit(exact::cos_degrees(degrees) * tool.unit + exact::sin_degrees(degrees) * across);
 }
 
 // fanuc.tool-center-point.lean-in-an-arc: In an arc d is the tangent in space at the end of the arc. It is

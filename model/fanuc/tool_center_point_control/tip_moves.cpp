@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "model/fanuc/tool_center_point_control/tip_path.h"
-#include "model/fanuc/tool_posture_control/linear_motion.h"
+#include "model/fanuc/tool_posture_control/motions.h"
 
 namespace toolcomp::model {
 namespace {
@@ -153,7 +153,7 @@ void TipMoves::turn(const Move& at, const Pose& to, spec::Cause cause, const Mov
   }
   // The tip stands, and the tool.
   OwnMotion turning;
-  turning.motion = std::make_shared<LinearMotion>(at.tip->frame, at.tip->pose, to);
+  turning.motion = even_motion(at.tip->frame, at.tip->pose, to);
   turning.length_before = at.tip->length;
   moves_(result, std::make_shared<TipInside>(at, result, std::move(turning), axes_));
 }

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "model/basis/alarm.h"
-#include "model/fanuc/tool_posture_control/direction_motion.h"
+#include "model/fanuc/tool_posture_control/motions.h"
 #include "model/geometry/plane.h"
 #include "model/kinematics/mechanism.h"
 
@@ -21,8 +21,6 @@ Direction direction_words(const Command& command, const Numbers& numbers) {
   return Direction::of({direction_word(command, 'I', numbers), direction_word(command, 'J', numbers),
                         direction_word(command, 'K', numbers)});
 }
-
-Direction of_unit(const Vector& unit) { return {unit, 1, unit, true}; }
 
 // X Y Z of a position; a machine without one of them stands at 0 in it.
 Vector in_space(const Position& position, const spec::Axes& axes) {
@@ -233,9 +231,9 @@ void ToolCenterPointControl::start(const Command& command, const TipMarks& marks
   place(frozen_, leg.end);
   tip_->in_workpiece = machine_->programs_workpiece() && machine_->type() != MachineType::head;
   tip_->pose = frozen_;
-  if (!direction) now_ = of_unit(tip_->frame->frame.direction(frozen_));
+  if (!direction) now_ = Direction::of_unit(tip_->frame->frame.direction(frozen_));
   kept_ = now_;
-  tool_ = tip_->in_workpiece ? of_unit(reported_tool(*tip_)) : now_;
+  tool_ = tip_->in_workpiece ? Direction::of_unit(reported_tool(*tip_)) : now_;
 }
 
 // fanuc.tool-center-point.direction-words: Under G43.5 I J K are the direction from tip to holder in the programming
@@ -268,7 +266,7 @@ TurnedBlock ToolCenterPointControl::turn_directly(const Command& command, const 
   TurnedBlock result;
   result.motion.emplace();
   Direction to = direction_asked(command, interpreter, leg).value_or(now_);
-  if (with_motion_) result.motion->motion = std::make_shared<DirectionMotion>(now_, to);
+  if (with_motion_) result.motion->motion = direction_motion(now_, to);
   tool_ = now_ = std::move(to);
   result.end = standing();
   return result;
@@ -292,14 +290,10 @@ TurnedBlock ToolCenterPointControl::turn_axes(const Command& command, const TipM
   place(end, leg.end);
 
   TurnedBlock result;
-  result.motion.emplace();
-  result.motion->branch_differs = found.branch_differs;
-  if (found.pre_turn) result.motion->pre_turn = found.start;
-  result.motion->post_turn = found.post_turn;
-  result.motion->motion = std::move(found.motion);
+  result.motion = found;
   now_ = std::move(found.tool);
   tip_->pose = found.end;
-  tool_ = tip_->in_workpiece ? of_unit(reported_tool(*tip_)) : now_;
+  tool_ = tip_->in_workpiece ? Direction::of_unit(reported_tool(*tip_)) : now_;
   result.end = standing();
   // The end is given as it is when all has turned.
   if (found.post_turn) result.end.tip->named_at = end;
@@ -310,7 +304,7 @@ TurnedBlock ToolCenterPointControl::turn_axes(const Command& command, const TipM
 PosturePlan ToolCenterPointControl::commanded(const Leg& leg) const {
   const Pose end = machine_->pose(angles(leg.end));
   if (same(end, tip_->pose)) return ToolPostureControl::stand(tip_->frame, {tip_->pose, now_, now_, end, {}});
-  return plan({tip_->pose, now_, of_unit(tip_->frame->frame.direction(end)), end, {}});
+  return plan({tip_->pose, now_, Direction::of_unit(tip_->frame->frame.direction(end)), end, {}});
 }
 
 PosturePlan ToolCenterPointControl::directed(const Command& command, const Interpreter& interpreter, const Leg& leg) {

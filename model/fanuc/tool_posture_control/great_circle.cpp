@@ -17,17 +17,15 @@ GreatCircle::GreatCircle(Direction from, Direction to)
   if (normal2_.sign() == Sign::zero) throw NotFinite();
 }
 
-const GreatCircle::Turning& GreatCircle::turning() const {
-  if (!turning_) {
+const DirectionSwing& GreatCircle::swing() const {
+  if (!swing_) {
     const Real length = sqrt(normal2_);
     // N is at right angles to `from`.
-    turning_ = Turning{Angle::of_direction(dot(from_.vector, to_.vector), length).degrees(),
-                       cross(normal_, from_.unit) / length};
+    swing_ = {from_.unit, cross(normal_, from_.unit) / length,
+              Angle::of_direction(dot(from_.vector, to_.vector), length).degrees()};
   }
-  return *turning_;
+  return *swing_;
 }
-
-Real GreatCircle::swept(const Rational& t) const { return t * turning().degrees; }
 
 // fanuc.tool-posture.great-circle: With posture control the direction of the tool stays in the plane of Vs and Ve, seen
 // from the table, and turns in it evenly with t.
@@ -38,7 +36,7 @@ Vector GreatCircle::at(const Rational& t) const {
     return middle / sqrt(squared_norm(middle));
   }
   const Real angle = swept(t);
-  return exact::cos_real_degrees(angle) * from_.unit + exact::sin_real_degrees(angle) * turning().ahead;
+  return exact::cos_real_degrees(angle) * from_.unit + exact::sin_real_degrees(angle) * swing().ahead;
 }
 
 bool known_same(const Vector& a, const Vector& b) {
@@ -48,21 +46,13 @@ bool known_same(const Vector& a, const Vector& b) {
 }
 
 AxisPassed pass(const GreatCircle& arc, const Vector& axis) {
-  const Real product = dot(arc.from().vector, arc.to().vector);
-  AxisPassed result;
-  result.side = dot(arc.normal(), axis);
-  result.along_from = dot(arc.from().vector, axis);
-  result.along_to = dot(arc.to().vector, axis);
-  result.cosine_from = dot(arc.from().unit, axis);
-  result.cosine_to = dot(arc.to().unit, axis);
-  result.behind_start = arc.from().norm2 * result.along_to - product * result.along_from;
-  result.before_end = arc.to().norm2 * result.along_from - product * result.along_to;
+  const Direction& from = arc.from();
+  const Direction& to = arc.to();
+  const Real product = dot(from.vector, to.vector);
+  AxisPassed result{arc, axis, dot(arc.normal(), axis), dot(from.vector, axis), dot(to.vector, axis), {}, {}};
+  result.behind_start = from.norm2 * result.along_to - product * result.along_from;
+  result.before_end = to.norm2 * result.along_from - product * result.along_to;
   return result;
-}
-
-AxisPassed operator-(const AxisPassed& passed) {
-  return {-passed.side,     -passed.behind_start, -passed.before_end, -passed.along_from,
-          -passed.along_to, -passed.cosine_from,  -passed.cosine_to};
 }
 
 }  // namespace toolcomp::model

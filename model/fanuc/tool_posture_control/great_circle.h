@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "model/kinematics/posture_motion.h"
 #include "model/kinematics/tool_direction.h"
 
 namespace toolcomp::model {
@@ -23,42 +24,32 @@ class GreatCircle {
 
   // The unit direction at the fraction t of the swept angle. Clause: fanuc.tool-posture.great-circle.
   [[nodiscard]] Vector at(const Rational& t) const;
-  // The swept angle, degrees, over 0 and under 180; and the unit direction a quarter turn on from `from`.
-  [[nodiscard]] const Real& degrees() const { return turning().degrees; }
-  [[nodiscard]] const Vector& ahead() const { return turning().ahead; }
-  // t of the swept angle, degrees.
-  [[nodiscard]] Real swept(const Rational& t) const;
+  // By the swept angle, over 0 and under 180.
+  [[nodiscard]] const DirectionSwing& swing() const;
+  // t of that angle, degrees.
+  [[nodiscard]] Real swept(const Rational& t) const { return t * swing().degrees; }
 
  private:
-  // For what lies inside.
-  struct Turning {
-    Real degrees;  // over 0 and under 180
-    Vector ahead;  // unit, a quarter turn on from `from`
-  };
-  const Turning& turning() const;
-
   Direction from_;
   Direction to_;
   Vector normal_;
   Real normal2_;
-  mutable std::optional<Turning> turning_;  // made when it is asked for
+  mutable std::optional<DirectionSwing> swing_;  // made when it is asked for
 };
 
 // Known to be equal, without asking a sign that might be hard to prove.
 bool known_same(const Vector& a, const Vector& b);
 
-// How the arc passes an axis. The foot is the point of the whole great circle nearest to the axis.
+// How an arc passes an axis. The foot is the point of the whole great circle nearest to the axis.
 struct AxisPassed {
+  GreatCircle arc;
+  Vector axis;        // unit
   Real side;          // N · axis: positive where the axis lies on the left of the arc
-  Real behind_start;  // (from × axis) · N: positive where the foot comes behind the start
-  Real before_end;    // (axis × to) · N: positive where it comes before the end
   Real along_from;    // from · axis
   Real along_to;      // to · axis
-  Real cosine_from;   // of the angles between the axis and both
-  Real cosine_to;
+  Real behind_start;  // (from × axis) · N: positive where the foot comes behind the start
+  Real before_end;    // (axis × to) · N: positive where it comes before the end
 };
 AxisPassed pass(const GreatCircle& arc, const Vector& axis);
-// Of the opposite axis.
-AxisPassed operator-(const AxisPassed& passed);
 
 }  // namespace toolcomp::model

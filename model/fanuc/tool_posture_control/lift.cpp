@@ -1,73 +1,73 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/fanuc/tool_posture_control/lift.h"
 
+#include "model/kinematics/inverse.h"
+
 namespace toolcomp::model {
 namespace {
 
 int as_int(Sign sign) { return static_cast<int>(sign); }
 
+bool on_upper_edge(const Machine& machine, const Angle& tool) {
+  const Real height = dot(machine.work_side().line, machine.tilted(tool));
+  return (height - machine.heights().mean).sign() == Sign::positive;
+}
+
+// Where the tilted direction comes to a pole, or leaves it: the azimuth of this vector.
+Vector limit(const Machine& machine, int branch) {
+  return Real(branch) * cross(machine.tool_side().line, machine.work_side().line);
+}
+
+// The position of the tool-side axis at `end`, beside that of the start.
+Angle tool_at(const Machine& machine, const BranchPart& part, const Angle& end) {
+  // Only from edge to edge the branch matters, and there the lower edge is left the other way. From a pole the edge of
+  // reach is half a turn.
+  const bool lower = part.pole < 0 || (part.on_edge && !on_upper_edge(machine, part.start.tool));
+  return lifted_tool(part.start.tool, end, lower ? -part.branch : part.branch, machine);
+}
+
+// By how much the tool, tilted alone from the start to `end`, swings about u_w. From edge to edge it is 180 degrees,
+// past the side of the branch.
+Angle tilt_swing(const Machine& machine, const BranchPart& part, const Angle& end) {
+  const Vector to = machine.tilted(end);
+  const Vector side = limit(machine, part.branch);
+  if (part.pole != 0) return azimuth(machine, side, to);
+  const Vector from = machine.tilted(part.start.tool);
+  if (!part.on_edge) return azimuth(machine, from, to);
+  return azimuth(machine, from, side) + azimuth(machine, side, to);
+}
+
 }  // namespace
 
 int Lift::branch_of(const Angle& tool) const { return as_int(branch_quantity(machine_, tool).sign()); }
-
-bool Lift::on_upper_edge(const Angle& tool) const {
-  const Real height = dot(machine_.work_side().line, machine_.tilted(tool));
-  return (height - machine_.heights().mean).sign() == Sign::positive;
-}
 
 // From the greatest height branch 1 turns up, from the least down.
 int Lift::branch_between(const Angle& from, const Angle& to) const {
   const int up = machine_.tool_side().sense * as_int(sign(to - from));
   if (up == 0) return 1;
-  return on_upper_edge(from) ? up : -up;
+  return on_upper_edge(machine_, from) ? up : -up;
 }
 
 int Lift::branch_toward(const Angle& from, const Angle& to) const {
-  return on_upper_edge(from) == on_upper_edge(to) ? 1 : branch_between(from, to);
+  return on_upper_edge(machine_, from) == on_upper_edge(machine_, to) ? 1 : branch_between(from, to);
 }
 
-Vector Lift::limit(int branch) const {
-  return Real(branch) * cross(machine_.tool_side().line, machine_.work_side().line);
-}
-
-Angle Lift::turned_back(const Angle& work, const Angle& tilt_swing) const {
-  return machine_.work_side().sense > 0 ? work - tilt_swing : work + tilt_swing;
-}
-
-Angle Lift::tool_at(const LiftStart& start, const Angle& end) const {
-  // Only from edge to edge the branch matters, and there the lower edge is left the other way.
-  const bool lower = start.on_edge && !on_upper_edge(start.pose.tool);
-  return lifted_tool(start.pose.tool, end, lower ? -start.branch : start.branch, machine_);
-}
-
-Pose Lift::at_pole(const LiftStart& start, const Pole& pole) const {
-  Pose result{tool_at(start, pole.tool), start.pose.work};
-  if (!machine_.is_orthogonal())
-    result.work =
-        turned_back(start.pose.work, azimuth(machine_, machine_.tilted(start.pose.tool), limit(start.branch)));
-  return result;
-}
-
-Angle Lift::back_at_pole(const Pose& pair, int branch) const {
+Angle Lift::work_at_pole(const Pose& pair, int branch) const {
   if (machine_.is_orthogonal()) return pair.work;
-  return turned_back(pair.work, azimuth(machine_, machine_.tilted(pair.tool), limit(branch)));
+  const Angle swing = azimuth(machine_, machine_.tilted(pair.tool), limit(machine_, branch));
+  return machine_.work_side().sense > 0 ? pair.work - swing : pair.work + swing;
 }
 
-// From edge to edge it is 180 degrees, past the side of the branch.
-Angle Lift::tilt_swing_of(const LiftStart& start, const Angle& end) const {
-  const Vector from = machine_.tilted(start.pose.tool);
-  const Vector to = machine_.tilted(end);
-  if (!start.on_edge) return azimuth(machine_, from, to);
-  const Vector side = limit(start.branch);
-  return azimuth(machine_, from, side) + azimuth(machine_, side, to);
+Pose Lift::at_pole(const BranchPart& part, const SingularPosture& pole) const {
+  return {tool_at(machine_, part, pole.tool), work_at_pole(part.start, part.branch)};
 }
 
 // fanuc.tool-posture.lift: The rotary axes follow the great circle without a jump from their actual positions at the
 // start. The tool-side axis stays on its branch, and the work-side axis turns by the azimuth of the tool less that of
 // the tool side. This gives the end pair, whole turns included, also in type 2. The choice by moving angles is not
 // made. The manual's example of a changed end fits no other reading.
-Pose Lift::end(const LiftStart& start, const Way& way, const Pose& pair) const {
-  Pose result{tool_at(start, pair.tool), start.pose.work};
+Pose Lift::end(const BranchPart& part, const Way& way, const Pose& pair) const {
+  Pose result{tool_at(machine_, part, pair.tool), part.start.work};
   if (way.side == 0 && machine_.is_orthogonal()) return result;
   Angle swing;
   if (way.side != 0) {
@@ -76,17 +76,8 @@ Pose Lift::end(const LiftStart& start, const Way& way, const Pose& pair) const {
     const Sign right = sign(swing);
     if (swing.cosine().sign() == Sign::negative && as_int(right) == -way.side) swing = swing.plus_turns(way.side);
   }
-  const Angle tilt_swing = machine_.is_orthogonal() ? Angle() : tilt_swing_of(start, result.tool);
-  result.work = lifted_work(start.pose.work, pair.work, swing, tilt_swing, machine_);
-  return result;
-}
-
-Pose Lift::end_behind(const BranchPart& part, const Pose& pair) const {
-  // The edge of reach is half a turn from the pole; from the one below the branch is left the other way.
-  Pose result{lifted_tool(part.start.tool, pair.tool, part.pole * part.branch, machine_), part.start.work};
-  if (!machine_.is_orthogonal())
-    result.work = lifted_work(part.start.work, pair.work, Angle(),
-                              azimuth(machine_, limit(part.branch), machine_.tilted(result.tool)), machine_);
+  const Angle tilted = machine_.is_orthogonal() ? Angle() : tilt_swing(machine_, part, result.tool);
+  result.work = lifted_work(part.start.work, pair.work, swing, tilted, machine_);
   return result;
 }
 

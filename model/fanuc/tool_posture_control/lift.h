@@ -2,18 +2,10 @@
 // The rotary positions along a great circle: the continuous branch from the pair at its start.
 #pragma once
 
-#include "model/fanuc/tool_posture_control/great_circle_motion.h"
-#include "model/fanuc/tool_posture_control/rules.h"
-#include "model/kinematics/inverse.h"
+#include "model/fanuc/tool_posture_control/motions.h"
+#include "model/kinematics/machine.h"
 
 namespace toolcomp::model {
-
-// A pair that is not singular, from which an arc is followed.
-struct LiftStart {
-  Pose pose;
-  int branch = 1;        // as of Solution
-  bool on_edge = false;  // of reach: the branch is that of the pair to be reached
-};
 
 // How an arc that meets no singular posture goes round the work-side axis.
 struct Way {
@@ -38,25 +30,15 @@ class Lift {
   [[nodiscard]] int branch_toward(const Angle& from, const Angle& to) const;
 
   // The pose in which an arc reaches the pole.
-  [[nodiscard]] Pose at_pole(const LiftStart& start, const Pole& pole) const;
-  // The work-side position at a pole from which an arc goes to this pair on this branch.
-  [[nodiscard]] Angle back_at_pole(const Pose& pair, int branch) const;
+  [[nodiscard]] Pose at_pole(const BranchPart& part, const SingularPosture& pole) const;
+  // The work-side position at a pole to which, or from which, an arc goes on this branch; it has this pair at the other
+  // end.
+  [[nodiscard]] Angle work_at_pole(const Pose& pair, int branch) const;
 
   // A pair of the end, with the whole turns of a continuous motion.
-  [[nodiscard]] Pose end(const LiftStart& start, const Way& way, const Pose& pair) const;
-  // The same of a part that begins at a pole.
-  [[nodiscard]] Pose end_behind(const BranchPart& part, const Pose& pair) const;
+  [[nodiscard]] Pose end(const BranchPart& part, const Way& way, const Pose& pair) const;
 
  private:
-  // Where the tilted direction comes to a pole, or leaves it: the azimuth of this vector.
-  [[nodiscard]] Vector limit(int branch) const;
-  // The position of the tool-side axis at `end`, beside that of the start.
-  [[nodiscard]] Angle tool_at(const LiftStart& start, const Angle& end) const;
-  [[nodiscard]] bool on_upper_edge(const Angle& tool) const;
-  [[nodiscard]] Angle turned_back(const Angle& work, const Angle& tilt_swing) const;
-  // By how much the tool, tilted alone from the start to `end`, swings about u_w.
-  [[nodiscard]] Angle tilt_swing_of(const LiftStart& start, const Angle& end) const;
-
   const Machine& machine_;
 };
 

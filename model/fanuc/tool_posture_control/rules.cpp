@@ -10,9 +10,9 @@ namespace {
 
 // Of the distance from the axis to the great circle, at the foot. Both ends at right angles to the axis: so is all of
 // the circle; that the difference below is zero then would have to be proven.
-Real cosine_at_foot(const GreatCircle& arc, const AxisPassed& work_axis) {
+Real cosine_at_foot(const AxisPassed& work_axis) {
   if (known_zero(work_axis.along_from) && known_zero(work_axis.along_to)) return {};
-  return sqrt(1 - square(work_axis.side) / arc.normal2());
+  return sqrt(1 - square(work_axis.side) / work_axis.arc.normal2());
 }
 
 }  // namespace
@@ -33,25 +33,23 @@ bool PostureRules::spans_plane(const Direction& from, const Direction& to) const
 PostureRules::PostureRules(const spec::Setup& setup, const Machine& machine, Recorder& recorder)
     : machine_(machine),
       recorder_(recorder),
+      poles_(machine.singular_postures()),
       limit_(parameter(setup, 19738)),
       veto_(parameter(setup, 19739)),
       refuses_(setup.bit(19696, 3)),
       limit_cosine_(exact::cos_degrees(limit_)),
       limit_sine2_((1 - exact::cos_degrees(Rational(2 * limit_))) / 2),
-      veto_cosine_(exact::cos_degrees(veto_)) {
-  for (const int sign : {1, -1})
-    if (const SingularPosture* const posture = machine.singular(sign)) poles_.push_back({sign, posture->tool});
-}
+      veto_cosine_(exact::cos_degrees(veto_)) {}
 
 // fanuc.tool-posture.at-start: The question whether the block starts in a singular posture is asked of +u_w, then of
 // -u_w, as far as they exist.
 // fanuc.tool-posture.at-end: The question whether the block ends in a singular posture is asked of +u_w, then of -u_w,
 // of a block that does not start in one.
-const Pole* PostureRules::pole_along(Clause clause, const Vector& axis, const Direction& direction) const {
-  for (const Pole& pole : poles_) {
+const SingularPosture* PostureRules::pole_along(Clause clause, const Vector& axis, const Direction& direction) const {
+  for (const SingularPosture& pole : poles_) {
     if (recorder_.decide(clause, squared_norm(cross(axis, direction.vector)), direction.norm2) == Sign::positive)
       continue;
-    if ((pole.sign * dot(axis, direction.vector)).sign() == Sign::positive) return &pole;
+    if ((pole.side * dot(axis, direction.vector)).sign() == Sign::positive) return &pole;
   }
   return nullptr;
 }
@@ -84,16 +82,16 @@ Sign PostureRules::branch(const Angle& tool) const {
 // fanuc.tool-posture.crossing: If the great circle goes exactly through a singular posture inside the block, the
 // posture at the end is not changed. Asked of +u_w, then of -u_w, of a block that neither starts nor ends in a singular
 // posture; then fanuc.tool-posture.foot-behind-the-start and -foot-before-the-end are asked.
-Passing PostureRules::passing(const GreatCircle& arc, const AxisPassed& work_axis) const {
+Passing PostureRules::passing(const AxisPassed& work_axis) const {
   Passing result;
   result.side = static_cast<int>(work_axis.side.sign());
-  const Real scale = sqrt(arc.from().norm2 * arc.to().norm2);
-  for (const Pole& pole : poles_) {
-    const Sign side = recorder_.decide(Clause::fanuc_tool_posture_crossing, pole.sign * work_axis.side, scale);
-    const bool ahead = (pole.sign * (work_axis.along_from + work_axis.along_to)).sign() == Sign::positive;
-    if (side == Sign::zero && has_foot_inside(arc, work_axis, pole.sign)) return {&pole, 0};
+  const Real scale = sqrt(work_axis.arc.from().norm2 * work_axis.arc.to().norm2);
+  for (const SingularPosture& pole : poles_) {
+    const Sign side = recorder_.decide(Clause::fanuc_tool_posture_crossing, pole.side * work_axis.side, scale);
+    const bool ahead = (pole.side * (work_axis.along_from + work_axis.along_to)).sign() == Sign::positive;
+    if (side == Sign::zero && has_foot_inside(work_axis, pole.side)) return {&pole, 0};
     // The pole on the side of the arc tells how that passes the axis.
-    if (ahead || poles_.size() == 1) result.side = pole.sign * static_cast<int>(side);
+    if (ahead || poles_.size() == 1) result.side = pole.side * static_cast<int>(side);
   }
   return result;
 }
@@ -102,9 +100,9 @@ Passing PostureRules::passing(const GreatCircle& arc, const AxisPassed& work_axi
 // it lies in the plane, comes after the start of the arc.
 // fanuc.tool-posture.foot-before-the-end: The question is whether the foot of s comes before the end of the arc. It is
 // asked after fanuc.tool-posture.foot-behind-the-start, if that holds. Both together mean inside the arc.
-bool PostureRules::has_foot_inside(const GreatCircle& arc, const AxisPassed& work_axis, int sign) const {
-  const Direction& from = arc.from();
-  const Direction& to = arc.to();
+bool PostureRules::has_foot_inside(const AxisPassed& work_axis, int sign) const {
+  const Direction& from = work_axis.arc.from();
+  const Direction& to = work_axis.arc.to();
   return recorder_.decide(Clause::fanuc_tool_posture_foot_behind_the_start, sign * work_axis.behind_start,
                           from.norm2 * sqrt(to.norm2)) != Sign::negative &&
          recorder_.decide(Clause::fanuc_tool_posture_foot_before_the_end, sign * work_axis.before_end,
@@ -115,11 +113,11 @@ bool PostureRules::has_foot_inside(const GreatCircle& arc, const AxisPassed& wor
 // 1 too. Asked at the point of the arc nearest to u_w, if the foot of u_w lies inside and alpha differs from beta.
 // Asked at the farthest point, if the foot of -u_w lies inside and alpha + beta differs from 180. The ends are always
 // in reach.
-void PostureRules::require_reach_inside(const GreatCircle& arc, const AxisPassed& work_axis) const {
+void PostureRules::require_reach_inside(const AxisPassed& work_axis) const {
   const Machine::Heights& heights = machine_.heights();
   for (const int sign : {1, -1}) {
-    if (machine_.singular(sign) != nullptr || !has_foot_inside(arc, work_axis, sign)) continue;
-    const Real nearest = cosine_at_foot(arc, work_axis);
+    if (machine_.singular(sign) != nullptr || !has_foot_inside(work_axis, sign)) continue;
+    const Real nearest = cosine_at_foot(work_axis);
     const Real greatest = sign * heights.mean + sqrt(heights.swing2);
     if (recorder_.decide(Clause::fanuc_tool_posture_reach_inside, greatest - nearest, 2) == Sign::negative)
       throw Alarm(AlarmCause::unreachable);
@@ -146,32 +144,33 @@ bool PostureRules::looks(bool type_2) const {
 // fanuc.tool-posture.nearer-singular: If both +u_w and -u_w exist, the one that is nearer to the great circle between
 // the ends counts, and +u_w if they are equally near. Its distance d is that of its foot if the foot lies inside,
 // otherwise that of the nearer end.
-PostureRules::Distance PostureRules::distance(const GreatCircle& arc, const AxisPassed& work_axis, int sign) const {
-  if (has_foot_inside(arc, work_axis, sign)) return {true, cosine_at_foot(arc, work_axis)};
-  const Real at_start = sign * work_axis.cosine_from;
-  const Real at_end = sign * work_axis.cosine_to;
+PostureRules::Distance PostureRules::distance(const AxisPassed& work_axis, int sign) const {
+  if (has_foot_inside(work_axis, sign)) return {true, cosine_at_foot(work_axis)};
+  const Real at_start = sign * dot(work_axis.arc.from().unit, work_axis.axis);
+  const Real at_end = sign * dot(work_axis.arc.to().unit, work_axis.axis);
   return {false, at_start < at_end ? at_end : at_start};
 }
 
 // fanuc.tool-posture.near: In type 2 a block is near a singular posture if d is strictly smaller than 19738. This
 // concerns only blocks that neither start nor end in a singular posture nor cross one exactly. If 19738 is above 90
 // degrees, d is compared all the same, as an angle from 0 to 180.
-const Pole* PostureRules::near(const GreatCircle& arc, const AxisPassed& work_axis) const {
+const SingularPosture* PostureRules::near(const AxisPassed& work_axis) const {
   if (poles_.empty()) return nullptr;
-  const Pole* pole = &poles_.front();
-  Distance least = distance(arc, work_axis, pole->sign);
+  const SingularPosture* pole = &poles_.front();
+  Distance least = distance(work_axis, pole->side);
   if (poles_.size() > 1) {
-    const Distance other = distance(arc, work_axis, poles_.back().sign);
+    const Distance other = distance(work_axis, poles_.back().side);
     if (recorder_.decide(Clause::fanuc_tool_posture_nearer_singular, least.cosine - other.cosine, 2) ==
         Sign::negative) {
       pole = &poles_.back();
       least = other;
     }
   }
+  const Real& normal2 = work_axis.arc.normal2();
   bool is_near = false;
   if (least.foot_inside && limit_ <= 90)
-    is_near = recorder_.decide(Clause::fanuc_tool_posture_near, limit_sine2_ * arc.normal2() - square(work_axis.side),
-                               arc.normal2()) == Sign::positive;
+    is_near = recorder_.decide(Clause::fanuc_tool_posture_near, limit_sine2_ * normal2 - square(work_axis.side),
+                               normal2) == Sign::positive;
   else
     is_near = least.foot_inside || limit_ > 180 ||
               recorder_.decide(Clause::fanuc_tool_posture_near, least.cosine - limit_cosine_, 2) == Sign::positive;
