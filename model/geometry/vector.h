@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "model/exact/vector.h"
+#include "spec/language/axes.h"
 
 namespace toolcomp::model {
 
@@ -21,5 +22,14 @@ inline const Real& component(const Vector& v, std::size_t i) { return i == 0 ? v
 // The component an axis letter names; X, Y or Z only.
 constexpr bool is_space_axis(char letter) { return letter >= 'X' && letter <= 'Z'; }
 constexpr std::size_t space_index(char letter) { return static_cast<std::size_t>(letter - 'X'); }
+
+// X Y Z of what `of` gives for a controlled axis; a machine without one of them stands at 0 in it.
+template <class Of>
+Vector in_space(const spec::Axes& axes, const Of& of) {
+  Vector result;
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (const char letter = axes.letter(i); is_space_axis(letter)) component(result, space_index(letter)) = of(i);
+  return result;
+}
 
 }  // namespace toolcomp::model

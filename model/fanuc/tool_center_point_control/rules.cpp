@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/fanuc/tool_center_point_control/rules.h"
-
+// The rules of tool center point control that need nothing but a block: the lean angle Q of G43.5, and arcs in the
+// workpiece coordinate system. What follows from the words alone is in words.cpp, poses are in model/kinematics.
 #include <optional>
 
 #include "model/basis/alarm.h"
 #include "model/basis/event.h"
+#include "model/fanuc/tool_center_point_control/tool_center_point_control.h"
 #include "model/geometry/plane_vector.h"
 
 namespace toolcomp::model {
@@ -39,7 +40,7 @@ std::optional<Vector> along_coordinate(const Vector& v) {
 // K or in which the tip travels.
 //
 // V' = cos Q V + sin Q n × V, with n = V × d / |V × d|.
-Direction TipRules::leaned(const Direction& tool, const Leg& leg, const Rational& degrees) const {
+Direction ToolCenterPointControl::leaned(const Direction& tool, const Leg& leg) const {
   if (leg.arc) recorder_.reach(Clause::fanuc_tool_center_point_lean_in_an_arc);
   const Vector travel = lean_travel(leg);
   const Vector normal = cross(tool.vector, travel);
@@ -54,7 +55,7 @@ Direction TipRules::leaned(const Direction& tool, const Leg& leg, const Rational
   const auto coordinate = along_coordinate(normal);
   const Vector across =
       coordinate ? cross(*coordinate, tool.unit) : cross(normal, tool.vector) / sqrt(normal2 * tool.norm2);
-  return Direction::of_unit(exact::cos_degrees(degrees) * tool.unit + exact::sin_degrees(degrees) * across);
+  return Direction::of_unit(exact::cos_degrees(lean_) * tool.unit + exact::sin_degrees(lean_) * across);
 }
 
 // fanuc.tool-center-point.lean-in-an-arc: In an arc d is the tangent in space at the end of the arc. It is
@@ -63,16 +64,11 @@ Direction TipRules::leaned(const Direction& tool, const Leg& leg, const Rational
 //
 // As long as the radius there; on a helix with what it climbs in an angle of 1 radian. Only that part is no algebraic
 // number.
-Vector TipRules::lean_travel(const Leg& leg) const {
+Vector ToolCenterPointControl::lean_travel(const Leg& leg) const {
   if (!leg.arc) return leg.travel;
   const spec::Arc<Real>& arc = *leg.arc;
-  const PlaneLetters in_plane = letters(arc.plane);
-  const auto from_center = [&](char letter) {
-    if (!axes_.has(letter)) return Real(0);
-    const std::size_t axis = axes_.index(letter);
-    return leg.actual(axis).value() - arc.center[axis];
-  };
-  const PlanePoint counter_clockwise = left(PlanePoint{from_center(in_plane.first), from_center(in_plane.second)});
+  const auto from_center = [&](std::size_t axis) { return leg.actual(axis).value() - arc.center[axis]; };
+  const PlanePoint counter_clockwise = left(in_plane_of(arc.plane, in_space(axes_, from_center)));
   Vector tangent =
       in_space(arc.plane, arc.direction == spec::ArcDirection::ccw ? counter_clockwise : -counter_clockwise);
   const std::size_t normal = normal_axis(arc.plane);
@@ -94,8 +90,11 @@ Vector TipRules::lean_travel(const Leg& leg) const {
 //
 // The first axis of a table carries the second. Where the first turns it is normal to the plane, so that the second
 // keeps its angle to the normal: its line at the start decides for the whole block.
-void TipRules::require_table_still(const Machine& machine, spec::Plane plane, const Pose& start, const Pose& end,
-                                   const Pose& frozen) const {
+void ToolCenterPointControl::require_table_still(spec::Plane plane, const Pose& end) const {
+  const Turn& tool = machine_->tool_side();
+  const Turn& work = machine_->work_side();
+  const Pose& start = tip_->pose;
+  const Pose& frozen = tip_->frame->frame.frozen();
   Vector normal;
   component(normal, normal_axis(plane)) = 1;
   bool turned_about_normal = false;
@@ -105,12 +104,9 @@ void TipRules::require_table_still(const Machine& machine, spec::Plane plane, co
       raise(recorder_, Clause::fanuc_tool_center_point_arc_in_workpiece_system, AlarmCause::table_turned_in_arc);
     turned_about_normal = true;
   };
-  if (machine.type() == MachineType::table) {
-    look_at(machine.tool_side().line, &Pose::tool);
-    look_at(machine.tool_side().apply_back(machine.work_side().line, start.tool), &Pose::work);
-  } else {
-    look_at(machine.work_side().line, &Pose::work);
-  }
+  const bool two = machine_->type() == MachineType::table;
+  if (two) look_at(tool.line, &Pose::tool);
+  look_at(two ? tool.apply_back(work.line, start.tool) : work.line, &Pose::work);
   if (turned_about_normal)
     raise(recorder_, Clause::fanuc_tool_center_point_arc_with_table_turned, AlarmCause::arc_with_table_turned);
 }

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "model/basis/event.h"
 #include "model/fanuc/program/step.h"
@@ -34,7 +35,6 @@ class TipMoves {
 
  private:
   void turn(const Move& at, const Pose& to, spec::Cause cause, const Move& of) const;
-  void sample(const Move& move) const;
 
   spec::Axes axes_;
   std::uint32_t samples_;
@@ -46,8 +46,6 @@ class TipMoves {
 
 // X Y Z of the axes, workpiece coordinates, at the end of a move under tool center point control.
 Vector axes_at(const Move& move, const spec::Axes& axes);
-// The compensated tip there, in the programming system.
-Vector tip_at(const Move& move, const spec::Axes& axes);
 // Where the tip is at the end of a move whose end is named for another pose, in the workpiece system: around a turn.
 std::optional<Vector> tip_beside_name(const Move& move, const spec::Axes& axes);
 

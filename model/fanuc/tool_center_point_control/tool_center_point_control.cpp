@@ -12,33 +12,22 @@
 namespace toolcomp::model {
 namespace {
 
-Rational direction_word(const Command& command, char letter, const Numbers& numbers) {
-  const spec::Decimal* const word = command.words.find(letter);
-  return word == nullptr ? Rational(0) : numbers.length(*word);
-}
-
 Direction direction_words(const Command& command, const Numbers& numbers) {
-  return Direction::of({direction_word(command, 'I', numbers), direction_word(command, 'J', numbers),
-                        direction_word(command, 'K', numbers)});
+  const auto word = [&](char letter) {
+    const spec::Decimal* const given = command.words.find(letter);
+    return given == nullptr ? Rational(0) : numbers.length(*given);
+  };
+  return Direction::of({word('I'), word('J'), word('K')});
 }
 
-// X Y Z of a position; a machine without one of them stands at 0 in it.
-Vector in_space(const Position& position, const spec::Axes& axes) {
-  Vector result;
-  for (std::size_t i = 0; i < axes.size(); ++i)
-    if (const char letter = axes.letter(i); is_space_axis(letter))
-      component(result, space_index(letter)) = position.at(i).value();
-  return result;
+// X Y Z of a position.
+Vector place_of(const Position& position, const spec::Axes& axes) {
+  return in_space(axes, [&](std::size_t axis) { return position.at(axis).value(); });
 }
 
 // The shift of G45 to G48 in X Y Z.
 Vector shift_of(const Leg& leg, const spec::Axes& axes) {
-  Vector result;
-  if (!leg.shift) return result;
-  for (std::size_t i = 0; i < axes.size(); ++i)
-    if (const char letter = axes.letter(i); is_space_axis(letter))
-      component(result, space_index(letter)) = leg.shift->at(i);
-  return result;
+  return in_space(axes, [&](std::size_t axis) { return leg.shift ? leg.shift->at(axis) : Rational(0); });
 }
 
 // Known to be one pose.
@@ -73,7 +62,6 @@ ToolCenterPointControl::ToolCenterPointControl(const spec::Setup& setup, Recorde
     : recorder_(recorder),
       work_(work),
       axes_(setup.axes),
-      rules_(setup.axes, recorder),
       by_machine_(setup.rotary_angles == spec::RotaryAngles::machine),
       cancel_moves_(setup.tip_control_cancel == spec::TipControlCancel::moves),
       kinematics_(setup),
@@ -95,20 +83,14 @@ Position ToolCenterPointControl::angles(const Position& position) const {
   return result;
 }
 
-bool ToolCenterPointControl::is_displaced() const {
-  for (std::size_t i = 0; i < axes_.size(); ++i) {
-    if (!kinematics_.turns(i)) continue;
-    const Angle zero = work_.zero(i).angle();
-    if (!zero.is_rational() || zero.rational() != 0) return true;
-  }
-  return false;
-}
-
 void ToolCenterPointControl::decide_angles() const {
+  bool displaced = false;
+  for (std::size_t i = 0; i < axes_.size(); ++i)
+    displaced = displaced || (kinematics_.turns(i) && known_difference(work_.zero(i).angle(), 0) != Rational(0));
   // fanuc.tool-direction.rotary-angles: The angles of the rotary axes that turn tool and table are machine coordinates:
   // programmed position plus workpiece zero and G92 shift of the axis. A change of coordinates moves nothing and
   // changes no direction.
-  if (is_displaced()) recorder_.decide(Clause::fanuc_tool_direction_rotary_angles, by_machine_);
+  if (displaced) recorder_.decide(Clause::fanuc_tool_direction_rotary_angles, by_machine_);
 }
 
 // Computed again only where an axis that turns the tool has moved.
@@ -158,9 +140,9 @@ void ToolCenterPointControl::follow(const Position& position) {
 void ToolCenterPointControl::rename_position(const TipMarks& marks, const Leg& standing,
                                              Interpreter& interpreter) const {
   if (!tip_) return;
-  const bool on_table = tip_->frame && machine_->type() != MachineType::head;
+  const bool on_table = kinematics_.has_table();
   const Vector shift = shift_of(standing, axes_);
-  const Vector tip = in_space(standing.end, axes_) + shift;
+  const Vector tip = place_of(standing.end, axes_) + shift;
   const bool stays = marks.ends && !recorder_.decide(Clause::fanuc_tool_center_point_end_moves, marks.takes_back);
   if (stays) {
     recorder_.reach(Clause::fanuc_tool_center_point_end);
@@ -183,15 +165,14 @@ TurnedBlock ToolCenterPointControl::turn(const Command& command, const TipMarks&
                                          const Rational& offset, Leg& leg) {
   recorder_.reach(Clause::fanuc_tool_center_point_length);
   if (machine_) recorder_.reach(control_point_clause(machine_->type()));
-  TurnedBlock result;
   if (marks.starts) {
     start(command, marks, interpreter, leg);
     tip_->length = offset + holder_offset_;
-    result.end = standing();
-    return result;
+    return {standing(), {}};
   }
   const Rational before = std::exchange(tip_->length, offset + holder_offset_);
-  result = machine_ ? turn_axes(command, marks, interpreter, leg) : turn_directly(command, interpreter, leg);
+  TurnedBlock result =
+      machine_ ? turn_axes(command, marks, interpreter, leg) : turn_directly(command, interpreter, leg);
   result.motion->length_before = before;
   return result;
 }
@@ -219,19 +200,16 @@ void ToolCenterPointControl::start(const Command& command, const TipMarks& marks
     return;
   }
   decide_angles();
-  frozen_ = machine_->pose(angles(leg.end));
+  Pose frozen = machine_->pose(angles(leg.end));
   // Only heads have a direction here: their frame does not turn.
-  if (direction) frozen_ = choice_->choose(now_, frozen_).pose;
-  Vector origin;
-  for (std::size_t i = 0; i < axes_.size(); ++i)
-    if (const char letter = axes_.letter(i); is_space_axis(letter))
-      component(origin, space_index(letter)) = interpreter.work().zero(i).value();
+  if (direction) frozen = choice_->choose(now_, frozen).pose;
+  const Vector origin = in_space(axes_, [this](std::size_t axis) { return work_.zero(axis).value(); });
   // No block of the mode changes the coordinates.
-  tip_->frame = std::make_shared<const ControlFrame>(*machine_, frozen_, origin, machine_->pose(angles(Position())));
-  place(frozen_, leg.end);
-  tip_->in_workpiece = machine_->programs_workpiece() && machine_->type() != MachineType::head;
-  tip_->pose = frozen_;
-  if (!direction) now_ = Direction::of_unit(tip_->frame->frame.direction(frozen_));
+  tip_->frame = std::make_shared<const ControlFrame>(*machine_, frozen, origin, machine_->pose(angles(Position())));
+  place(frozen, leg.end);
+  tip_->in_workpiece = machine_->programs_workpiece() && kinematics_.has_table();
+  tip_->pose = frozen;
+  if (!direction) now_ = Direction::of_unit(tip_->frame->frame.direction(frozen));
   kept_ = now_;
   tool_ = tip_->in_workpiece ? Direction::of_unit(reported_tool(*tip_)) : now_;
 }
@@ -247,7 +225,7 @@ std::optional<Direction> ToolCenterPointControl::direction_asked(const Command& 
   const bool may_lean = lean_ != 0 && (given || !is_zero(leg.travel));
   if (given) kept_ = direction_words(command, interpreter.numbers());
   if (may_lean) {
-    Lean now{kept_.vector, rules_.lean_travel(leg), rules_.leaned(kept_, leg, lean_)};
+    Lean now{kept_.vector, lean_travel(leg), leaned(kept_, leg)};
     // The same lean again is known to be the same direction.
     if (last_lean_ && known_same(last_lean_->tool, now.tool) && known_same(last_lean_->travel, now.travel))
       now.to = last_lean_->to;
@@ -263,13 +241,11 @@ std::optional<Direction> ToolCenterPointControl::direction_asked(const Command& 
 // opposite directions there is no great circle, and the direction stays the first one until the end.
 TurnedBlock ToolCenterPointControl::turn_directly(const Command& command, const Interpreter& interpreter,
                                                   const Leg& leg) {
-  TurnedBlock result;
-  result.motion.emplace();
+  OwnMotion own;
   Direction to = direction_asked(command, interpreter, leg).value_or(now_);
-  if (with_motion_) result.motion->motion = direction_motion(now_, to);
+  if (with_motion_) own.motion = direction_motion(now_, to);
   tool_ = now_ = std::move(to);
-  result.end = standing();
-  return result;
+  return {standing(), std::move(own)};
 }
 
 // fanuc.tool-center-point.tip-alone: In a block without X Y Z, with rotary axes or I J K only, the tip stays where it
@@ -282,36 +258,33 @@ TurnedBlock ToolCenterPointControl::turn_axes(const Command& command, const TipM
   if (tip_alone && (has_axis_word(command, spec::is_rotary_axis) || (marks.directed && command.direction)))
     recorder_.reach(Clause::fanuc_tool_center_point_tip_alone);
   if (leg.arc) recorder_.reach(Clause::fanuc_tool_center_point_arc);
-  if (leg.arc && tip_->in_workpiece)
-    rules_.require_table_still(*machine_, leg.arc->plane, tip_->pose, machine_->pose(angles(leg.end)), frozen_);
+  if (leg.arc && tip_->in_workpiece) require_table_still(leg.arc->plane, machine_->pose(angles(leg.end)));
   PosturePlan found = marks.directed ? directed(command, interpreter, leg) : commanded(leg);
   const Pose end = found.post_turn.value_or(found.end);
   if (tip_->in_workpiece) keep_tip_on_table(tip_alone, interpreter.position(), end, leg);
   place(end, leg.end);
 
-  TurnedBlock result;
-  result.motion = found;
-  now_ = std::move(found.tool);
+  now_ = found.tool;
   tip_->pose = found.end;
   tool_ = tip_->in_workpiece ? Direction::of_unit(reported_tool(*tip_)) : now_;
-  result.end = standing();
+  TurnedBlock result{standing(), std::move(found)};
   // The end is given as it is when all has turned.
-  if (found.post_turn) result.end.tip->named_at = end;
+  if (result.motion->post_turn) result.end.tip->named_at = end;
   tip_->pose = end;
   return result;
 }
 
 PosturePlan ToolCenterPointControl::commanded(const Leg& leg) const {
   const Pose end = machine_->pose(angles(leg.end));
-  if (same(end, tip_->pose)) return ToolPostureControl::stand(tip_->frame, {tip_->pose, now_, now_, end, {}});
+  if (same(end, tip_->pose)) return even_plan(tip_->frame, tip_->pose, tip_->pose, now_);
   return plan({tip_->pose, now_, Direction::of_unit(tip_->frame->frame.direction(end)), end, {}});
 }
 
 PosturePlan ToolCenterPointControl::directed(const Command& command, const Interpreter& interpreter, const Leg& leg) {
   const std::optional<Direction> to = direction_asked(command, interpreter, leg);
-  if (!to) return ToolPostureControl::stand(tip_->frame, {tip_->pose, now_, now_, {}, {}});
+  if (!to) return even_plan(tip_->frame, tip_->pose, tip_->pose, now_);
   PostureBlock block{tip_->pose, now_, *to, {}, {}};
-  if (lean_ != 0 && known_same(kept_.vector, now_.vector)) block.leaned_toward = rules_.lean_travel(leg);
+  if (lean_ != 0 && known_same(kept_.vector, now_.vector)) block.leaned_toward = lean_travel(leg);
   PosturePlan found = plan(block);
   if (found.changed) kept_ = found.tool;
   return found;
@@ -337,7 +310,7 @@ void ToolCenterPointControl::keep_tip_on_table(bool tip_alone, const Position& f
   recorder_.reach(Clause::fanuc_tool_center_point_tip_alone_in_workpiece_system);
   // The tip stands where a shift left by G45 to G48 has it.
   const Vector shift = shift_of(leg, axes_);
-  if (!standing_) standing_ = tip_->frame->frame.of_workpiece(in_space(from, axes_) + shift, tip_->pose);
+  if (!standing_) standing_ = tip_->frame->frame.of_workpiece(place_of(from, axes_) + shift, tip_->pose);
   const Vector now = tip_->frame->frame.in_workpiece(*standing_, end) - shift;
   for (std::size_t i = 0; i < axes_.size(); ++i)
     if (const char letter = axes_.letter(i); is_space_axis(letter))

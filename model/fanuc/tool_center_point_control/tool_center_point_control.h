@@ -3,13 +3,11 @@
 // tool and the rotary axes at the end of every block, before any compensation moves the tip.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 
 #include "model/basis/recorder.h"
 #include "model/fanuc/passes/passes.h"
 #include "model/fanuc/program/interpreter.h"
-#include "model/fanuc/tool_center_point_control/rules.h"
 #include "model/fanuc/tool_length_offset/tool_length_offset.h"
 #include "model/fanuc/tool_posture_control/tool_posture_control.h"
 #include "model/kinematics/machine.h"
@@ -83,6 +81,15 @@ class ToolCenterPointControl {
   void read_posture_word(const Command& command);
   [[nodiscard]] bool has_axis_word(const Command& command, bool (*is_of)(char)) const;
 
+  // rules.cpp
+  //
+  // What the lean of a leg is toward: its travel; of an arc the tangent at its end, of any length.
+  [[nodiscard]] Vector lean_travel(const Leg& leg) const;
+  // The direction leaned by Q towards that, or the direction itself where it lies along it.
+  [[nodiscard]] Direction leaned(const Direction& tool, const Leg& leg) const;
+  // With 19696#5 = 1 on a machine with a table axis, an arc to a pose. Throws Alarm PS5421 or ARC_WITH_TABLE_TURNED.
+  void require_table_still(spec::Plane plane, const Pose& end) const;
+
   void start(const Command& command, const TipMarks& marks, const Interpreter& interpreter, Leg& leg);
   // What the block is asked to turn the tool to; nothing where it stands.
   [[nodiscard]] std::optional<Direction> direction_asked(const Command& command, const Interpreter& interpreter,
@@ -99,14 +106,12 @@ class ToolCenterPointControl {
   [[nodiscard]] const Direction& of_pose(const Position& position);
   // The positions with the angles of the axes that turn tool and table in their place.
   [[nodiscard]] Position angles(const Position& position) const;
-  // One of them has a zero in force.
-  [[nodiscard]] bool is_displaced() const;
+  // Where one of them has a zero in force.
   void decide_angles() const;
 
   Recorder& recorder_;
   const WorkCoordinates& work_;
   spec::Axes axes_;
-  TipRules rules_;
   bool by_machine_;    // rotary_angles
   bool cancel_moves_;  // tip_control_cancel
   Kinematics kinematics_;
@@ -134,7 +139,6 @@ class ToolCenterPointControl {
     Direction to;
   };
   std::optional<Lean> last_lean_;   // of this G43.5
-  Pose frozen_;                     // where the frame stands
   std::optional<Vector> standing_;  // the tip on the table while it stands there, in the frame
 };
 

@@ -120,7 +120,7 @@ void ToolCenterPointControl::restrict_compensation(const Command& command, const
   // block. G43.4 or G43.5 in a block under G02 or G03 raises it too.
   if ((in_space.any() && (marks.starts || marks.ends)) || (marks.starts && command.is_arc_motion()))
     raise(recorder_, Clause::fanuc_tool_center_point_format, AlarmCause::tool_direction_format);
-  const bool on_table = machine_ && machine_->programs_workpiece() && machine_->type() != MachineType::head;
+  const bool on_table = kinematics_.has_table() && machine_->programs_workpiece();
   // fanuc.tool-center-point.compensation-in-workpiece-system: With WKP = 1 on a machine with a table axis (19680 = 12,
   // 21), a block under G43.4 after which tool side compensation or the leading edge offset is on raises
   // COMPENSATION_IN_WORKPIECE_SYSTEM, a name of ours. 19746 bit 4 is about compensation outside tool center point
@@ -138,11 +138,10 @@ void ToolCenterPointControl::restrict_words(const Command& command, const TipMar
     raise(recorder_, Clause::fanuc_tool_center_point_rotary_word, AlarmCause::tool_direction);
   }
   if (!command.direction) return;
-  const bool on_table = machine_ && machine_->type() != MachineType::head;
   // fanuc.tool-center-point.direction-at-start: I J K in the block of G43.5 turn a tool rotation machine (type 2) in
   // that block, to the pair chosen by fanuc.tool-center-point.choice. P0 and P1 are alike there, and there is no lean.
   // On a machine with a table axis (types 12, 21) they raise PS5421.
-  if (marks.starts && recorder_.decide(Clause::fanuc_tool_center_point_direction_at_start, on_table))
+  if (marks.starts && recorder_.decide(Clause::fanuc_tool_center_point_direction_at_start, kinematics_.has_table()))
     throw Alarm(AlarmCause::direction_at_start);
   // fanuc.tool-center-point.zero: I J K that are all zero under G43.5 raise PS5421.
   if (is_zero_word(command, 'I') && is_zero_word(command, 'J') && is_zero_word(command, 'K'))

@@ -34,14 +34,13 @@ Sign known_parallel(const Direction& a, const Direction& b) {
   }
 }
 
-// Both axes run evenly, from where they stand.
-PosturePlan even(const SharedFrame& frame, const PostureBlock& block, const Pose& end) {
-  PosturePlan plan{{}, block.start, end, block.to};
-  plan.motion = even_motion(frame, block.start, end);
+}  // namespace
+
+PosturePlan even_plan(const SharedFrame& frame, const Pose& start, const Pose& end, const Direction& tool) {
+  PosturePlan plan{{}, start, end, tool};
+  plan.motion = even_motion(frame, start, end);
   return plan;
 }
-
-}  // namespace
 
 // The pair that is to be reached where no branch is followed.
 Solution ToolPostureControl::pair(const SharedFrame& frame, const PostureBlock& block) const {
@@ -52,11 +51,7 @@ Solution ToolPostureControl::pair(const SharedFrame& frame, const PostureBlock& 
 PosturePlan ToolPostureControl::conventional(const SharedFrame& frame, const PostureBlock& block) const {
   const Pose end = pair(frame, block).pose;
   recorder_.reach(Clause::fanuc_tool_center_point_conventional);
-  return even(frame, block, end);
-}
-
-PosturePlan ToolPostureControl::stand(const SharedFrame& frame, const PostureBlock& block) {
-  return even(frame, block, block.start);
+  return even_plan(frame, block.start, end, block.to);
 }
 
 // A block whose directions span a plane.
@@ -95,7 +90,7 @@ struct ToolPostureControl::InPlane {
 
   [[nodiscard]] PosturePlan give_way(const Pose& end) const {
     control.recorder_.reach(Clause::fanuc_tool_center_point_conventional);
-    PosturePlan plan = even(frame, block, end);
+    PosturePlan plan = even_plan(frame, block.start, end, block.to);
     plan.branch_differs = true;
     return plan;
   }
@@ -170,9 +165,8 @@ struct ToolPostureControl::InPlane {
     if (control.rules_.may_stand(turned) && control.choice_.inside(to)) {
       control.recorder_.reach(Clause::fanuc_tool_posture_changed);
       control.recorder_.reach(Clause::fanuc_tool_posture_passing);
-      PosturePlan plan = even(frame, block, to);
+      PosturePlan plan = even_plan(frame, block.start, to, mirrored(to));
       plan.changed = true;
-      plan.tool = mirrored(to);
       return plan;
     }
     control.rules_.keep_end();
@@ -221,7 +215,8 @@ PosturePlan ToolPostureControl::plan(const SharedFrame& frame, const PostureBloc
   }
   if (!rules_.spans_plane(from, to)) {
     const bool same = dot(from.vector, to.vector).sign() == Sign::positive;
-    if (!block.commanded && same && choice_.inside(block.start)) return stand(frame, block);
+    if (!block.commanded && same && choice_.inside(block.start))
+      return even_plan(frame, block.start, block.start, block.to);
     return conventional(frame, block);
   }
   recorder_.reach(Clause::fanuc_tool_posture_great_circle);

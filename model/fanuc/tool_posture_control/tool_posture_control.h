@@ -32,6 +32,9 @@ struct PosturePlan : OwnMotion {
   bool changed = false;  // it is not the one commanded
 };
 
+// Both axes run evenly from pose to pose; where these are the same, they stand. `tool`: at the end.
+PosturePlan even_plan(const SharedFrame& frame, const Pose& start, const Pose& end, const Direction& tool);
+
 // Clauses: fanuc.tool-posture.*.
 class ToolPostureControl {
  public:
@@ -46,8 +49,6 @@ class ToolPostureControl {
   [[nodiscard]] PosturePlan plan(const SharedFrame& frame, const PostureBlock& block) const;
   // With P0, and where there is no plane. Throws Alarm PS5459.
   [[nodiscard]] PosturePlan conventional(const SharedFrame& frame, const PostureBlock& block) const;
-  // The rotary axes stand.
-  [[nodiscard]] static PosturePlan stand(const SharedFrame& frame, const PostureBlock& block);
 
  private:
   struct InPlane;
