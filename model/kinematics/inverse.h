@@ -30,7 +30,7 @@ struct Solutions {
 
 // All pairs of a direction, of any length; whole turns can be added to each angle. The direction is in the table frame,
 // turned back about the work-side axis from a position of that. Throws the alarm PS5459 where there is none. The
-// machine has both axes and tilts(). Clauses: fanuc.tool-center-point.inverse, .parallel-to-the-work-side,
+// machine is_invertible(). Clauses: fanuc.tool-center-point.inverse, .parallel-to-the-work-side,
 // .reach-toward-the-axis, .reach-away-from-the-axis, .unreachable.
 Solutions inverse(const Machine& machine, Recorder& recorder, const Direction& direction,
                   const Angle& work_position = Angle());

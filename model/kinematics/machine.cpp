@@ -53,7 +53,7 @@ void Machine::find_heights() {
 
 // A tilted direction reaches the work-side axis where the tool-side axis makes the same angle with both.
 void Machine::find_singular_postures() {
-  if (!tilts_ || !has_both_axes()) return;
+  if (!is_invertible()) return;
   const Vector& axis = tool_side().line;
   const Vector& over = work_side().line;
   const Real of_reference = dot(axis, mechanism_.reference);

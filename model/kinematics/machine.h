@@ -41,8 +41,6 @@ class Machine {
   [[nodiscard]] MachineType type() const { return mechanism_.type; }
   [[nodiscard]] const Turn& tool_side() const { return mechanism_.turns.front(); }
   [[nodiscard]] const Turn& work_side() const { return mechanism_.turns.back(); }
-  // Both rotary axes can move.
-  [[nodiscard]] bool has_both_axes() const { return tool_side().axis.has_value() && work_side().axis.has_value(); }
 
   // Parameter 19666, added to the tool length offset.
   [[nodiscard]] const Rational& holder_offset() const { return holder_offset_; }
@@ -86,8 +84,8 @@ class Machine {
     Real swing2;  // a^2 + b^2
   };
   [[nodiscard]] const Heights& heights() const { return heights_; }
-  // The tool-side axis changes the height at all. Without it no direction has computed angles.
-  [[nodiscard]] bool tilts() const { return tilts_; }
+  // Both rotary axes can move, and the tool-side axis changes the height at all: directions have computed angles.
+  [[nodiscard]] bool is_invertible() const { return tilts_ && tool_side().axis && work_side().axis; }
   // The axes are at right angles, and the reference direction is to the tool-side one. Along every great circle through
   // a singular posture the work-side axis stands and the tool-side axis turns evenly.
   [[nodiscard]] bool is_orthogonal() const { return orthogonal_; }

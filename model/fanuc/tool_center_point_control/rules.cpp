@@ -104,9 +104,9 @@ void ToolCenterPointControl::require_table_still(spec::Plane plane, const Pose& 
       raise(recorder_, Clause::fanuc_tool_center_point_arc_in_workpiece_system, AlarmCause::table_turned_in_arc);
     turned_about_normal = true;
   };
-  const bool two = machine_->type() == MachineType::table;
-  if (two) look_at(tool.line, &Pose::tool);
-  look_at(two ? tool.apply_back(work.line, start.tool) : work.line, &Pose::work);
+  const bool carries = machine_->type() == MachineType::table;
+  if (carries) look_at(tool.line, &Pose::tool);
+  look_at(carries ? tool.apply_back(work.line, start.tool) : work.line, &Pose::work);
   if (turned_about_normal)
     raise(recorder_, Clause::fanuc_tool_center_point_arc_with_table_turned, AlarmCause::arc_with_table_turned);
 }

@@ -84,7 +84,7 @@ void ToolCenterPointControl::restrict_start(const Command& command, const TipMar
   read_posture_word(command);
   if (without) return;
   if (marks.directed || with_posture_) {
-    const bool inverse = posture_->is_possible();
+    const bool inverse = machine_->is_invertible();
     // fanuc.tool-center-point.not-invertible: If an axis is hypothetical, or u_t is parallel to t0 or to u_w,
     // directions cannot be reached by turning the two axes. G43.5 then raises PS5459. G43.4 with posture control then
     // runs every block under conventional control, without a warning. Asked in the block of G43.5, and in that of G43.4
@@ -152,11 +152,11 @@ void ToolCenterPointControl::restrict_arc(const Command& command, const TipMarks
   if (!command.is_arc_motion() || leaves_the_path(command.codes.one_shot)) return;
   const bool radius = word(command, 'R') != nullptr;
   const PlaneLetters in_plane = letters(command.plane);
-  const auto named = [&](char letter) { return axes_.has(letter) && word(command, letter) != nullptr; };
+  const bool in_plane_named = command.names(axes_, in_plane.first) || command.names(axes_, in_plane.second);
   // fanuc.tool-center-point.arc-by-radius: Under G43.5 the centre of an arc is given by R alone, because I J K are the
   // direction. An axis word of the plane without R under G02 or G03 raises PS5421 (the number is ours). A full circle
   // cannot be given: R with an end that is the start is an arc of 0 degrees (fanuc.program.arc-radius-without-chord).
-  if (marks.directed && !radius && (named(in_plane.first) || named(in_plane.second)))
+  if (marks.directed && !radius && in_plane_named)
     raise(recorder_, Clause::fanuc_tool_center_point_arc_by_radius, AlarmCause::tip_control_arc);
   const bool turns = marks.directed ? command.direction
                                     : has_axis_word(command, spec::is_rotary_axis) && !command.direction && !radius;

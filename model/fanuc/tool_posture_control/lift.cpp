@@ -66,18 +66,11 @@ Pose Lift::at_pole(const BranchPart& part, const SingularPosture& pole) const {
 // start. The tool-side axis stays on its branch, and the work-side axis turns by the azimuth of the tool less that of
 // the tool side. This gives the end pair, whole turns included, also in type 2. The choice by moving angles is not
 // made. The manual's example of a changed end fits no other reading.
-Pose Lift::end(const BranchPart& part, const Way& way, const Pose& pair) const {
+Pose Lift::end(const BranchPart& part, const std::optional<Angle>& swing, const Pose& pair) const {
   Pose result{tool_at(machine_, part, pair.tool), part.start.work};
-  if (way.side == 0 && machine_.is_orthogonal()) return result;
-  Angle swing;
-  if (way.side != 0) {
-    swing = azimuth(machine_, way.from, way.to);
-    // Only a forced side goes the other way round.
-    const Sign right = sign(swing);
-    if (swing.cosine().sign() == Sign::negative && as_int(right) == -way.side) swing = swing.plus_turns(way.side);
-  }
+  if (!swing && machine_.is_orthogonal()) return result;
   const Angle tilted = machine_.is_orthogonal() ? Angle() : tilt_swing(machine_, part, result.tool);
-  result.work = lifted_work(part.start.work, pair.work, swing, tilted, machine_);
+  result.work = lifted_work(part.start.work, pair.work, swing.value_or(Angle()), tilted, machine_);
   return result;
 }
 

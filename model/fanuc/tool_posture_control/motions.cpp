@@ -28,19 +28,18 @@ Angle between(const Angle& start, const Angle& end, const Rational& t) {
 // with t and the work side stands. With orthogonal axes this is the great circle to the changed end.
 class EvenMotion : public PostureMotion {
  public:
-  EvenMotion(SharedFrame frame, Pose start, Pose end)
-      : frame_(std::move(frame)), start_(std::move(start)), end_(std::move(end)) {}
+  EvenMotion(SharedFrame frame, EvenTurns turns) : frame_(std::move(frame)), turns_(std::move(turns)) {}
 
   [[nodiscard]] Posture at(const Rational& t) const override {
-    const Pose pose{between(start_.tool, end_.tool, t), between(start_.work, end_.work, t)};
+    const auto& [start, end] = turns_;
+    const Pose pose{between(start.tool, end.tool, t), between(start.work, end.work, t)};
     return {pose, frame_->frame.direction(pose)};
   }
-  [[nodiscard]] MotionForm form() const override { return EvenTurns{start_, end_}; }
+  [[nodiscard]] MotionForm form() const override { return turns_; }
 
  private:
   SharedFrame frame_;
-  Pose start_;
-  Pose end_;
+  EvenTurns turns_;
 };
 
 // fanuc.tool-center-point.without-kinematics: With 19680 = 0 G43.4 raises PS5459. G43.5 then takes I J K, leaned by Q
@@ -228,7 +227,7 @@ class GreatCircleMotion : public PostureMotion {
 }  // namespace
 
 SharedMotion even_motion(const SharedFrame& frame, const Pose& start, const Pose& end) {
-  return std::make_shared<EvenMotion>(frame, start, end);
+  return std::make_shared<EvenMotion>(frame, EvenTurns{start, end});
 }
 
 SharedMotion direction_motion(const Direction& from, const Direction& to) {

@@ -28,18 +28,13 @@ bool PostureRules::spans_plane(const Direction& from, const Direction& to) const
 
 // fanuc.tool-posture.singular: A posture is singular if the tool is parallel to the work-side axis, so that this axis
 // may stand anywhere.
-//
-// The sine of 19738 by that of the double angle: rational where its square is.
 PostureRules::PostureRules(const spec::Setup& setup, const Machine& machine, Recorder& recorder)
     : machine_(machine),
       recorder_(recorder),
       poles_(machine.singular_postures()),
       limit_(parameter(setup, 19738)),
       veto_(parameter(setup, 19739)),
-      refuses_(setup.bit(19696, 3)),
-      limit_cosine_(exact::cos_degrees(limit_)),
-      limit_sine2_((1 - exact::cos_degrees(Rational(2 * limit_))) / 2),
-      veto_cosine_(exact::cos_degrees(veto_)) {}
+      refuses_(setup.bit(19696, 3)) {}
 
 // fanuc.tool-posture.at-start: The question whether the block starts in a singular posture is asked of +u_w, then of
 // -u_w, as far as they exist.
@@ -168,12 +163,15 @@ const SingularPosture* PostureRules::near(const AxisPassed& work_axis) const {
   }
   const Real& normal2 = work_axis.arc.normal2();
   bool is_near = false;
-  if (least.foot_inside && limit_ <= 90)
-    is_near = recorder_.decide(Clause::fanuc_tool_posture_near, limit_sine2_ * normal2 - square(work_axis.side),
-                               normal2) == Sign::positive;
-  else
+  if (least.foot_inside && limit_ <= 90) {
+    // By the cosine of the double angle: rational where its square is.
+    const Real sine2 = (1 - exact::cos_degrees(Rational(2 * limit_))) / 2;
+    is_near = recorder_.decide(Clause::fanuc_tool_posture_near, sine2 * normal2 - square(work_axis.side), normal2) ==
+              Sign::positive;
+  } else
     is_near = least.foot_inside || limit_ > 180 ||
-              recorder_.decide(Clause::fanuc_tool_posture_near, least.cosine - limit_cosine_, 2) == Sign::positive;
+              recorder_.decide(Clause::fanuc_tool_posture_near, least.cosine - exact::cos_degrees(limit_), 2) ==
+                  Sign::positive;
   return is_near ? pole : nullptr;
 }
 
@@ -183,7 +181,8 @@ const SingularPosture* PostureRules::near(const AxisPassed& work_axis) const {
 bool PostureRules::may_stand(const Angle& turned) const {
   if (veto_ < 0) return false;
   if (veto_ >= 180) return true;
-  return recorder_.decide(Clause::fanuc_tool_posture_veto, -turned.cosine() - veto_cosine_, 2) != Sign::negative;
+  return recorder_.decide(Clause::fanuc_tool_posture_veto, -turned.cosine() - exact::cos_degrees(veto_), 2) !=
+         Sign::negative;
 }
 
 // fanuc.tool-posture.changed: At a changed end the tool side is mirrored at the singular position, and the work side

@@ -65,9 +65,6 @@ class PostureRules {
   Rational limit_;  // 19738, degrees
   Rational veto_;   // 19739, degrees
   bool refuses_;    // 19696#3, NPC
-  Real limit_cosine_;
-  Real limit_sine2_;
-  Real veto_cosine_;
 };
 
 }  // namespace toolcomp::model

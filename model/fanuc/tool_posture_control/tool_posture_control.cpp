@@ -44,7 +44,8 @@ PosturePlan even_plan(const SharedFrame& frame, const Pose& start, const Pose& e
 
 // The pair that is to be reached where no branch is followed.
 Solution ToolPostureControl::pair(const SharedFrame& frame, const PostureBlock& block) const {
-  if (block.commanded) return {*block.commanded, lift_.is_possible() ? lift_.branch_of(block.commanded->tool) : 0};
+  if (const auto& commanded = block.commanded)
+    return {*commanded, frame->machine.is_invertible() ? lift_.branch_of(commanded->tool) : 0};
   return choice_.choose(pairs(recorder_, frame, block.to), block.start, known_parallel(block.from, block.to));
 }
 
@@ -74,10 +75,10 @@ struct ToolPostureControl::InPlane {
 
   [[nodiscard]] BranchPart start() const {
     const Sign branch = control.rules_.branch(block.start.tool);
-    if (branch != Sign::zero) return {block.start, static_cast<int>(branch), 0, false};
+    if (branch != Sign::zero) return {block.start, static_cast<int>(branch)};
     const Solution to = control.pair(frame, block);
-    const int toward = control.lift_.branch_toward(block.start.tool, to.pose.tool);
-    return {block.start, to.branch != 0 ? to.branch : toward, 0, true};
+    const bool has_branch = to.branch != 0;
+    return {block.start, has_branch ? to.branch : control.lift_.branch_toward(block.start.tool, to.pose.tool), 0, true};
   }
 
   // On orthogonal axes a great circle through a pole is run by the tool-side axis alone, evenly.
@@ -106,7 +107,7 @@ struct ToolPostureControl::InPlane {
     PosturePlan plan{{}, {here.tool, control.lift_.work_at_pole(to.pose, branch)}, to.pose, block.to};
     if (control.rules_.turns(Clause::fanuc_tool_posture_pre_turn, plan.start.work, here.work))
       plan.pre_turn = plan.start;
-    plan.motion = motion({plan.start, branch, pole.side, false}, 0, {}, plan.end);
+    plan.motion = motion({plan.start, branch, pole.side}, 0, {}, plan.end);
     return plan;
   }
 
@@ -129,12 +130,11 @@ struct ToolPostureControl::InPlane {
     const auto& commanded = block.commanded;
     std::optional<BranchPart> behind;
     if (passed.crossed != nullptr)
-      behind = {control.lift_.at_pole(part, *passed.crossed), -part.branch, passed.crossed->side, false};
+      behind = BranchPart{control.lift_.at_pole(part, *passed.crossed), -part.branch, passed.crossed->side};
     const BranchPart& last = behind ? *behind : part;
-    const Way way{view.about_axis(work_axis.arc.from().vector), view.about_axis(work_axis.arc.to().vector),
-                  passed.side};
-    PosturePlan plan{
-        {}, block.start, control.lift_.end(last, way, commanded ? *commanded : of_branch(last.branch)), block.to};
+    const std::optional<Angle> swing = swung(passed.side);
+    const Pose pair = commanded ? *commanded : of_branch(last.branch);
+    PosturePlan plan{{}, block.start, control.lift_.end(last, swing, pair), block.to};
     if (commanded) {
       const int of_commanded = control.lift_.branch_of(commanded->tool);
       const bool differs = (of_commanded != 0 && of_commanded != last.branch) || !(plan.end == *commanded);
@@ -142,11 +142,22 @@ struct ToolPostureControl::InPlane {
       plan.end = *commanded;
     }
     if (control.rules_.looks(!commanded) && !behind) {
-      if (auto other = changed(part, way, plan.end)) return *std::move(other);
+      if (auto other = changed(part, swing, plan.end)) return *std::move(other);
     }
     if (!commanded) control.choice_.require_inside(plan.end);
     plan.motion = motion(part, passed.side, behind, plan.end);
     return plan;
+  }
+
+  // The swing of the directions about the work-side axis, which lies on this side of the arc; none in its plane.
+  [[nodiscard]] std::optional<Angle> swung(int side) const {
+    if (side == 0) return std::nullopt;
+    const Vector from = view.about_axis(work_axis.arc.from().vector);
+    const Angle swing = azimuth(frame->machine, from, view.about_axis(work_axis.arc.to().vector));
+    // Only a forced side goes the other way round.
+    const Sign right = sign(swing);
+    const bool other_way = swing.cosine().sign() == Sign::negative && static_cast<int>(right) == -side;
+    return other_way ? swing.plus_turns(side) : swing;
   }
 
   // On the edge of reach there is only one.
@@ -155,13 +166,13 @@ struct ToolPostureControl::InPlane {
   }
 
   // An end changed so that the block passes the singular posture that it comes near to; nothing where it stays.
-  [[nodiscard]] std::optional<PosturePlan> changed(const BranchPart& part, const Way& way, const Pose& end) const {
+  [[nodiscard]] std::optional<PosturePlan> changed(const BranchPart& part, const std::optional<Angle>& swing,
+                                                   const Pose& end) const {
     const SingularPosture* const pole = control.rules_.near(work_axis);
     if (pole == nullptr) return std::nullopt;
     const Pose to = PostureRules::changed(block.start, end, control.lift_.at_pole(part, *pole).tool);
     // With orthogonal axes the work-side axis turns as the directions do, whose components are simpler than positions.
-    const bool by_directions = frame->machine.is_orthogonal() && way.side != 0;
-    const Angle turned = by_directions ? azimuth(frame->machine, way.from, way.to) : end.work - block.start.work;
+    const Angle turned = frame->machine.is_orthogonal() && swing ? *swing : end.work - block.start.work;
     if (control.rules_.may_stand(turned) && control.choice_.inside(to)) {
       control.recorder_.reach(Clause::fanuc_tool_posture_changed);
       control.recorder_.reach(Clause::fanuc_tool_posture_passing);

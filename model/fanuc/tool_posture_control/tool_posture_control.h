@@ -42,9 +42,6 @@ class ToolPostureControl {
   ToolPostureControl(const spec::Setup& setup, const Machine& machine, const PairChoice& choice, Recorder& recorder)
       : choice_(choice), recorder_(recorder), lift_(machine), rules_(setup, machine, recorder) {}
 
-  // Posture control can follow directions on this machine.
-  [[nodiscard]] bool is_possible() const { return lift_.is_possible(); }
-
   // With P1. Throws Alarm PS5459 or PS5421.
   [[nodiscard]] PosturePlan plan(const SharedFrame& frame, const PostureBlock& block) const;
   // With P0, and where there is no plane. Throws Alarm PS5459.
