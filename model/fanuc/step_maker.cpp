@@ -21,7 +21,7 @@ StepMaker::StepMaker(const spec::Setup& setup, OffsetMemory& memory, Recorder& r
       memory_(memory),
       interpreter_(setup, recorder),
       cycles_(setup, interpreter_.numbers(), recorder),
-      tip_control_(setup, recorder, interpreter_.work(), interpreter_.position(), with_motion),
+      tip_control_(setup, recorder, interpreter_, with_motion),
       length_(setup, memory, recorder),
       tool_offset_(setup, memory, recorder),
       measurement_(setup, recorder) {}
@@ -54,7 +54,7 @@ void StepMaker::read_words(Making& now) {
   const BlockWords for_passes{command, interpreter_, now.tip.directed};
   now.passes.read(Extent::space, for_passes, now.step.words);
   if (now.tip.ends || now.tip.again)
-    tip_control_.rename_position(now.tip, tool_offset_.shifted(interpreter_.stay(command)), interpreter_);
+    tip_control_.rename_position(now.tip, tool_offset_.shifted(interpreter_.stay(command)));
   interpreter_.select_workpiece_system(command);
   now.passes.read(Extent::plane, for_passes, now.step.words);
   if (measures(command))
@@ -181,10 +181,10 @@ void StepMaker::make_holes(Making& now) {
 Move StepMaker::turned_move(Making& now) {
   const LengthVector& offset = now.plan.at_end;
   Leg& leg = now.legs.front();
-  TurnedBlock turned = tip_control_.turn(now.command, now.tip, interpreter_, offset.along_tool, leg);
+  TurnedBlock turned = tip_control_.turn(now.command, now.tip, offset.along_tool, leg);
   Move result = move(leg, offset, turned.end, true);
   if (turned.motion) {
-    if (turned.end.tip->frame) tip_control_.place(turned.end.tip->pose, result.leg.end);
+    if (const ToolPose& tip = *turned.end.tip; tip.frame) tip.frame->place(tip.pose, result.leg.end);
     result.inside = std::make_shared<const OwnMotion>(std::move(*turned.motion));
   }
   return result;

@@ -57,10 +57,10 @@ Clause control_point_clause(MachineType type) {
 
 }  // namespace
 
-ToolCenterPointControl::ToolCenterPointControl(const spec::Setup& setup, Recorder& recorder,
-                                               const WorkCoordinates& work, const Position& start, bool with_motion)
+ToolCenterPointControl::ToolCenterPointControl(const spec::Setup& setup, Recorder& recorder, Interpreter& interpreter,
+                                               bool with_motion)
     : recorder_(recorder),
-      work_(work),
+      interpreter_(interpreter),
       axes_(setup.axes),
       by_machine_(setup.rotary_angles == spec::RotaryAngles::machine),
       cancel_moves_(setup.tip_control_cancel == spec::TipControlCancel::moves),
@@ -73,20 +73,21 @@ ToolCenterPointControl::ToolCenterPointControl(const spec::Setup& setup, Recorde
     choice_.emplace(setup, *machine_, recorder);
     posture_.emplace(setup, *machine_, *choice_, recorder);
   }
-  tool_ = of_pose(start);
+  tool_ = of_pose(interpreter.position());
 }
 
 Position ToolCenterPointControl::angles(const Position& position) const {
   Position result = position;
   for (std::size_t i = 0; by_machine_ && i < axes_.size(); ++i)
-    if (kinematics_.turns(i)) result.at(i) = result.at(i) + work_.zero(i);
+    if (kinematics_.turns(i)) result.at(i) = result.at(i) + interpreter_.work().zero(i);
   return result;
 }
 
 void ToolCenterPointControl::decide_angles() const {
   bool displaced = false;
   for (std::size_t i = 0; i < axes_.size(); ++i)
-    displaced = displaced || (kinematics_.turns(i) && known_difference(work_.zero(i).angle(), 0) != Rational(0));
+    if (kinematics_.turns(i) && known_difference(interpreter_.work().zero(i).angle(), 0) != Rational(0))
+      displaced = true;
   // fanuc.tool-direction.rotary-angles: The angles of the rotary axes that turn tool and table are machine coordinates:
   // programmed position plus workpiece zero and G92 shift of the axis. A change of coordinates moves nothing and
   // changes no direction.
@@ -137,8 +138,7 @@ void ToolCenterPointControl::follow(const Position& position) {
 // become its coordinates in the workpiece system at the present pose, without a shift left by G45 to G48, which stays.
 // The direction kept is that of the rotary positions (without kinematics the direction in force). P, Q and the frame
 // are those of the new block, and so is H if the block gives it.
-void ToolCenterPointControl::rename_position(const TipMarks& marks, const Leg& standing,
-                                             Interpreter& interpreter) const {
+void ToolCenterPointControl::rename_position(const TipMarks& marks, const Leg& standing) {
   if (!tip_) return;
   const bool on_table = kinematics_.has_table();
   const Vector shift = shift_of(standing, axes_);
@@ -147,32 +147,31 @@ void ToolCenterPointControl::rename_position(const TipMarks& marks, const Leg& s
   if (stays) {
     recorder_.reach(Clause::fanuc_tool_center_point_end);
     if (on_table)
-      interpreter.stand_in_space(control_point(*tip_, {tip, tool_.unit}) - shift);
+      interpreter_.stand_in_space(control_point(*tip_, {tip, tool_.unit}) - shift);
     else
-      interpreter.shift_position(control_point(*tip_, {Vector(), tool_.unit}));
+      interpreter_.shift_position(control_point(*tip_, {Vector(), tool_.unit}));
     return;
   }
   if (marks.again) recorder_.reach(Clause::fanuc_tool_center_point_again);
   if (on_table && !tip_->in_workpiece)
-    interpreter.stand_in_space(tip_->frame->frame.in_workpiece(tip, tip_->pose) - shift);
+    interpreter_.stand_in_space(tip_->frame->frame.in_workpiece(tip, tip_->pose) - shift);
 }
 
 // fanuc.tool-center-point.length: The length L along the tool is the offset of the H number plus the tool holder offset
 // 19666. H and edited values follow the rules of G43, except that no G43 or G44 adds or subtracts the offset. A change
 // comes into force in the same blocks as under G43. In a block in which L changes, it goes evenly with the path from
 // the old value to the new one.
-TurnedBlock ToolCenterPointControl::turn(const Command& command, const TipMarks& marks, const Interpreter& interpreter,
-                                         const Rational& offset, Leg& leg) {
+TurnedBlock ToolCenterPointControl::turn(const Command& command, const TipMarks& marks, const Rational& offset,
+                                         Leg& leg) {
   recorder_.reach(Clause::fanuc_tool_center_point_length);
   if (machine_) recorder_.reach(control_point_clause(machine_->type()));
   if (marks.starts) {
-    start(command, marks, interpreter, leg);
+    start(command, marks, leg);
     tip_->length = offset + holder_offset_;
     return {standing(), {}};
   }
   const Rational before = std::exchange(tip_->length, offset + holder_offset_);
-  TurnedBlock result =
-      machine_ ? turn_axes(command, marks, interpreter, leg) : turn_directly(command, interpreter, leg);
+  TurnedBlock result = machine_ ? turn_axes(command, marks, leg) : turn_directly(command, leg);
   result.motion->length_before = before;
   return result;
 }
@@ -183,14 +182,13 @@ TurnedBlock ToolCenterPointControl::turn(const Command& command, const TipMarks&
 // fanuc.tool-center-point.frozen-pose: The table system is the copy of the workpiece system at the pose at which the
 // block of G43.4 or G43.5 ends. The rotary axes that move in that block have then moved. Even if the table is turned by
 // then, the table system is parallel to the machine.
-void ToolCenterPointControl::start(const Command& command, const TipMarks& marks, const Interpreter& interpreter,
-                                   Leg& leg) {
+void ToolCenterPointControl::start(const Command& command, const TipMarks& marks, Leg& leg) {
   recorder_.reach(Clause::fanuc_tool_center_point_block);
   standing_.reset();
   last_lean_.reset();
   const bool direction =
       marks.directed && recorder_.decide(Clause::fanuc_tool_center_point_direction_words, command.direction);
-  if (direction) now_ = direction_words(command, interpreter.numbers());
+  if (direction) now_ = direction_words(command, interpreter_.numbers());
   tip_.emplace();
   if (!machine_) {
     // There are no rotary positions to take it from again.
@@ -203,10 +201,10 @@ void ToolCenterPointControl::start(const Command& command, const TipMarks& marks
   Pose frozen = machine_->pose(angles(leg.end));
   // Only heads have a direction here: their frame does not turn.
   if (direction) frozen = choice_->choose(now_, frozen).pose;
-  const Vector origin = in_space(axes_, [this](std::size_t axis) { return work_.zero(axis).value(); });
+  const Vector origin = in_space(axes_, [this](std::size_t axis) { return interpreter_.work().zero(axis).value(); });
   // No block of the mode changes the coordinates.
   tip_->frame = std::make_shared<const ControlFrame>(*machine_, frozen, origin, machine_->pose(angles(Position())));
-  place(frozen, leg.end);
+  tip_->frame->place(frozen, leg.end);
   tip_->in_workpiece = machine_->programs_workpiece() && kinematics_.has_table();
   tip_->pose = frozen;
   if (!direction) now_ = Direction::of_unit(tip_->frame->frame.direction(frozen));
@@ -219,11 +217,10 @@ void ToolCenterPointControl::start(const Command& command, const TipMarks& marks
 // commanded is kept, without its lean. After a block whose end posture was changed, the actual direction is kept. From
 // a block of G43.5 without I J K on, the direction of the rotary positions is kept. In a block without I J K the rotary
 // axes stand still, whatever the range, if Q is 0 or the tip has no travel. I J K alone make a move.
-std::optional<Direction> ToolCenterPointControl::direction_asked(const Command& command, const Interpreter& interpreter,
-                                                                 const Leg& leg) {
+std::optional<Direction> ToolCenterPointControl::direction_asked(const Command& command, const Leg& leg) {
   const bool given = recorder_.decide(Clause::fanuc_tool_center_point_direction_words, command.direction);
   const bool may_lean = lean_ != 0 && (given || !is_zero(leg.travel));
-  if (given) kept_ = direction_words(command, interpreter.numbers());
+  if (given) kept_ = direction_words(command, interpreter_.numbers());
   if (may_lean) {
     Lean now{kept_.vector, lean_travel(leg), leaned(kept_, leg)};
     // The same lean again is known to be the same direction.
@@ -239,10 +236,9 @@ std::optional<Direction> ToolCenterPointControl::direction_asked(const Command& 
 // as on any machine, for the direction itself. Nothing is turned, reached or chosen, no posture is singular, WKP does
 // not count, and P makes no difference. Inside a block the direction goes evenly along the great circle. Between
 // opposite directions there is no great circle, and the direction stays the first one until the end.
-TurnedBlock ToolCenterPointControl::turn_directly(const Command& command, const Interpreter& interpreter,
-                                                  const Leg& leg) {
+TurnedBlock ToolCenterPointControl::turn_directly(const Command& command, const Leg& leg) {
   OwnMotion own;
-  Direction to = direction_asked(command, interpreter, leg).value_or(now_);
+  Direction to = direction_asked(command, leg).value_or(now_);
   if (with_motion_) own.motion = direction_motion(now_, to);
   tool_ = now_ = std::move(to);
   return {standing(), std::move(own)};
@@ -252,17 +248,16 @@ TurnedBlock ToolCenterPointControl::turn_directly(const Command& command, const 
 // is on the table while the axes move.
 // fanuc.tool-center-point.arc: The tip runs arcs and helices of the selected plane in the programming system, on a
 // table machine relative to the table. The rotary axes or the direction change as in a straight block.
-TurnedBlock ToolCenterPointControl::turn_axes(const Command& command, const TipMarks& marks,
-                                              const Interpreter& interpreter, Leg& leg) {
+TurnedBlock ToolCenterPointControl::turn_axes(const Command& command, const TipMarks& marks, Leg& leg) {
   const bool tip_alone = !has_axis_word(command, is_space_axis);
   if (tip_alone && (has_axis_word(command, spec::is_rotary_axis) || (marks.directed && command.direction)))
     recorder_.reach(Clause::fanuc_tool_center_point_tip_alone);
   if (leg.arc) recorder_.reach(Clause::fanuc_tool_center_point_arc);
   if (leg.arc && tip_->in_workpiece) require_table_still(leg.arc->plane, machine_->pose(angles(leg.end)));
-  PosturePlan found = marks.directed ? directed(command, interpreter, leg) : commanded(leg);
+  PosturePlan found = marks.directed ? directed(command, leg) : commanded(leg);
   const Pose end = found.post_turn.value_or(found.end);
-  if (tip_->in_workpiece) keep_tip_on_table(tip_alone, interpreter.position(), end, leg);
-  place(end, leg.end);
+  if (tip_->in_workpiece) keep_tip_on_table(tip_alone, end, leg);
+  tip_->frame->place(end, leg.end);
 
   now_ = found.tool;
   tip_->pose = found.end;
@@ -280,8 +275,8 @@ PosturePlan ToolCenterPointControl::commanded(const Leg& leg) const {
   return plan({tip_->pose, now_, Direction::of_unit(tip_->frame->frame.direction(end)), end, {}});
 }
 
-PosturePlan ToolCenterPointControl::directed(const Command& command, const Interpreter& interpreter, const Leg& leg) {
-  const std::optional<Direction> to = direction_asked(command, interpreter, leg);
+PosturePlan ToolCenterPointControl::directed(const Command& command, const Leg& leg) {
+  const std::optional<Direction> to = direction_asked(command, leg);
   if (!to) return even_plan(tip_->frame, tip_->pose, tip_->pose, now_);
   PostureBlock block{tip_->pose, now_, *to, {}, {}};
   if (lean_ != 0 && known_same(kept_.vector, now_.vector)) block.leaned_toward = lean_travel(leg);
@@ -300,7 +295,7 @@ PosturePlan ToolCenterPointControl::plan(const PostureBlock& block) const {
 // fanuc.tool-center-point.tip-alone-in-workpiece-system: With WKP = 1 too the tip stays on the table in a block without
 // X Y Z. The programmed X Y Z become those of the place where the tip then is. A block with one of X Y Z is no such
 // block.
-void ToolCenterPointControl::keep_tip_on_table(bool tip_alone, const Position& from, const Pose& end, Leg& leg) {
+void ToolCenterPointControl::keep_tip_on_table(bool tip_alone, const Pose& end, Leg& leg) {
   if (!tip_alone) {
     recorder_.reach(Clause::fanuc_tool_center_point_workpiece_system_end);
     standing_.reset();
@@ -310,7 +305,8 @@ void ToolCenterPointControl::keep_tip_on_table(bool tip_alone, const Position& f
   recorder_.reach(Clause::fanuc_tool_center_point_tip_alone_in_workpiece_system);
   // The tip stands where a shift left by G45 to G48 has it.
   const Vector shift = shift_of(leg, axes_);
-  if (!standing_) standing_ = tip_->frame->frame.of_workpiece(place_of(from, axes_) + shift, tip_->pose);
+  if (!standing_)
+    standing_ = tip_->frame->frame.of_workpiece(place_of(interpreter_.position(), axes_) + shift, tip_->pose);
   const Vector now = tip_->frame->frame.in_workpiece(*standing_, end) - shift;
   for (std::size_t i = 0; i < axes_.size(); ++i)
     if (const char letter = axes_.letter(i); is_space_axis(letter))

@@ -43,27 +43,23 @@ struct TurnedBlock {
 // Clauses: fanuc.tool-center-point.*, fanuc.tool-posture.word, default, word-value.
 class ToolCenterPointControl {
  public:
-  // Outside the mode the direction follows the rotary axes; first they stand at `start`. `work`: what their programmed
-  // positions mean at any time. `with_motion`: positions inside blocks will be asked for. Throws spec::InputError for
+  // Outside the mode the direction follows the rotary axes. `interpreter`: of the program, with its positions and what
+  // they mean at any time. `with_motion`: positions inside blocks will be asked for. Throws spec::InputError for
   // parameters that make no sense.
-  ToolCenterPointControl(const spec::Setup& setup, Recorder& recorder, const WorkCoordinates& work,
-                         const Position& start, bool with_motion);
+  ToolCenterPointControl(const spec::Setup& setup, Recorder& recorder, Interpreter& interpreter, bool with_motion);
 
   // The words of a block. `passes` tell which compensation is on. Throws the alarms of the mode that words alone raise.
   TipMarks read(const Command& command, const ToolLengthOffset& length, const Passes& passes);
 
   // The block ends the mode, or starts it again: what is called the position of the tool is renamed. `standing`: where
   // the last block has ended, with the shift left by G45 to G48.
-  void rename_position(const TipMarks& marks, const Leg& standing, Interpreter& interpreter) const;
+  void rename_position(const TipMarks& marks, const Leg& standing);
 
   // The end of the block's leg, with the offset of the H number in force there: rotary positions are filled in, behind
   // a post-turn. Throws the alarms of a pose that cannot be.
-  TurnedBlock turn(const Command& command, const TipMarks& marks, const Interpreter& interpreter,
-                   const Rational& offset, Leg& leg);
+  TurnedBlock turn(const Command& command, const TipMarks& marks, const Rational& offset, Leg& leg);
   // The tool where the last block has ended.
   [[nodiscard]] ToolAtEnd standing() const { return {tool_, tip_}; }
-  // On a machine with kinematics, in the mode: into programmed positions.
-  void place(const Pose& pose, Position& position) const { tip_->frame->place(pose, position); }
 
   // Outside the mode, at the end of a leg; from there on it is in force.
   ToolAtEnd at(const Position& end);
@@ -90,18 +86,17 @@ class ToolCenterPointControl {
   // With 19696#5 = 1 on a machine with a table axis, an arc to a pose. Throws Alarm PS5421 or ARC_WITH_TABLE_TURNED.
   void require_table_still(spec::Plane plane, const Pose& end) const;
 
-  void start(const Command& command, const TipMarks& marks, const Interpreter& interpreter, Leg& leg);
+  void start(const Command& command, const TipMarks& marks, Leg& leg);
   // What the block is asked to turn the tool to; nothing where it stands.
-  [[nodiscard]] std::optional<Direction> direction_asked(const Command& command, const Interpreter& interpreter,
-                                                         const Leg& leg);
-  TurnedBlock turn_directly(const Command& command, const Interpreter& interpreter, const Leg& leg);
-  TurnedBlock turn_axes(const Command& command, const TipMarks& marks, const Interpreter& interpreter, Leg& leg);
+  [[nodiscard]] std::optional<Direction> direction_asked(const Command& command, const Leg& leg);
+  TurnedBlock turn_directly(const Command& command, const Leg& leg);
+  TurnedBlock turn_axes(const Command& command, const TipMarks& marks, Leg& leg);
   // Type 1 and type 2: what the block does to the axes.
   [[nodiscard]] PosturePlan commanded(const Leg& leg) const;
-  [[nodiscard]] PosturePlan directed(const Command& command, const Interpreter& interpreter, const Leg& leg);
+  [[nodiscard]] PosturePlan directed(const Command& command, const Leg& leg);
   [[nodiscard]] PosturePlan plan(const PostureBlock& block) const;
   // With 19696#5 = 1 on a machine with a table axis.
-  void keep_tip_on_table(bool tip_alone, const Position& from, const Pose& end, Leg& leg);
+  void keep_tip_on_table(bool tip_alone, const Pose& end, Leg& leg);
 
   [[nodiscard]] const Direction& of_pose(const Position& position);
   // The positions with the angles of the axes that turn tool and table in their place.
@@ -110,7 +105,7 @@ class ToolCenterPointControl {
   void decide_angles() const;
 
   Recorder& recorder_;
-  const WorkCoordinates& work_;
+  Interpreter& interpreter_;
   spec::Axes axes_;
   bool by_machine_;    // rotary_angles
   bool cancel_moves_;  // tip_control_cancel
