@@ -157,6 +157,10 @@ Real branch_quantity(const Machine& machine, const Angle& tool) {
   return machine.heights().a * turn.sine() - machine.heights().b * turn.cosine();
 }
 
+int branch_of(const Machine& machine, const Angle& tool) {
+  return static_cast<int>(branch_quantity(machine, tool).sign());
+}
+
 Angle azimuth(const Machine& machine, const Vector& from, const Vector& to) {
   const Vector a = horizontal(machine, from);
   const Vector b = horizontal(machine, to);

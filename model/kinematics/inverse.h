@@ -49,6 +49,8 @@ PoseCosines on_branch(const Machine& machine, const Vector& unit, const Real& al
 // On which side of the extreme heights a tool-side position is: the sine of its turn, counted from that of the greatest
 // height, times rho: positive on branch 1, negative on branch -1, zero at an edge of reach.
 Real branch_quantity(const Machine& machine, const Angle& tool);
+// That branch, as of Solution.
+int branch_of(const Machine& machine, const Angle& tool);
 
 // The azimuth about the work-side axis from one direction to another, principal; neither is parallel to that axis.
 Angle azimuth(const Machine& machine, const Vector& from, const Vector& to);

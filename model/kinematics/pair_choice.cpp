@@ -208,7 +208,7 @@ bool PairChoice::takes_second(const Candidate& a, const Candidate& b, const Pose
 void PairChoice::put(const Pose& pose, Solutions& solutions) const {
   if (solutions.work_free) return;
   const bool on_edge = solutions.count == 1;
-  const int branch = on_edge ? 0 : static_cast<int>(branch_quantity(machine_, pose.tool).sign());
+  const int branch = on_edge ? 0 : branch_of(machine_, pose.tool);
   for (std::size_t i = 0; i < solutions.count; ++i) {
     Pose& of_pair = solutions.at.at(i).pose;
     if (solutions.at.at(i).branch == branch) {

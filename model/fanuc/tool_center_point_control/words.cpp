@@ -149,7 +149,7 @@ void ToolCenterPointControl::restrict_words(const Command& command, const TipMar
 }
 
 void ToolCenterPointControl::restrict_arc(const Command& command, const TipMarks& marks) const {
-  if (!command.is_arc_motion() || leaves_the_path(command.codes.one_shot)) return;
+  if (!command.is_arc_motion()) return;
   const bool radius = word(command, 'R') != nullptr;
   const PlaneLetters in_plane = letters(command.plane);
   const bool in_plane_named = command.names(axes_, in_plane.first) || command.names(axes_, in_plane.second);

@@ -6,8 +6,6 @@
 namespace toolcomp::model {
 namespace {
 
-int as_int(Sign sign) { return static_cast<int>(sign); }
-
 bool on_upper_edge(const Machine& machine, const Angle& tool) {
   const Real height = dot(machine.work_side().line, machine.tilted(tool));
   return (height - machine.heights().mean).sign() == Sign::positive;
@@ -39,38 +37,36 @@ Angle tilt_swing(const Machine& machine, const BranchPart& part, const Angle& en
 
 }  // namespace
 
-int Lift::branch_of(const Angle& tool) const { return as_int(branch_quantity(machine_, tool).sign()); }
-
 // From the greatest height branch 1 turns up, from the least down.
-int Lift::branch_between(const Angle& from, const Angle& to) const {
-  const int up = machine_.tool_side().sense * as_int(sign(to - from));
+int branch_between(const Machine& machine, const Angle& from, const Angle& to) {
+  const int up = machine.tool_side().sense * static_cast<int>(sign(to - from));
   if (up == 0) return 1;
-  return on_upper_edge(machine_, from) ? up : -up;
+  return on_upper_edge(machine, from) ? up : -up;
 }
 
-int Lift::branch_toward(const Angle& from, const Angle& to) const {
-  return on_upper_edge(machine_, from) == on_upper_edge(machine_, to) ? 1 : branch_between(from, to);
+int branch_toward(const Machine& machine, const Angle& from, const Angle& to) {
+  return on_upper_edge(machine, from) == on_upper_edge(machine, to) ? 1 : branch_between(machine, from, to);
 }
 
-Angle Lift::work_at_pole(const Pose& pair, int branch) const {
-  if (machine_.is_orthogonal()) return pair.work;
-  const Angle swing = azimuth(machine_, machine_.tilted(pair.tool), limit(machine_, branch));
-  return machine_.work_side().sense > 0 ? pair.work - swing : pair.work + swing;
+Angle work_at_pole(const Machine& machine, const Pose& pair, int branch) {
+  if (machine.is_orthogonal()) return pair.work;
+  const Angle swing = azimuth(machine, machine.tilted(pair.tool), limit(machine, branch));
+  return machine.work_side().sense > 0 ? pair.work - swing : pair.work + swing;
 }
 
-Pose Lift::at_pole(const BranchPart& part, const SingularPosture& pole) const {
-  return {tool_at(machine_, part, pole.tool), work_at_pole(part.start, part.branch)};
+Pose lifted_to_pole(const Machine& machine, const BranchPart& part, const SingularPosture& pole) {
+  return {tool_at(machine, part, pole.tool), work_at_pole(machine, part.start, part.branch)};
 }
 
 // fanuc.tool-posture.lift: The rotary axes follow the great circle without a jump from their actual positions at the
 // start. The tool-side axis stays on its branch, and the work-side axis turns by the azimuth of the tool less that of
 // the tool side. This gives the end pair, whole turns included, also in type 2. The choice by moving angles is not
 // made. The manual's example of a changed end fits no other reading.
-Pose Lift::end(const BranchPart& part, const std::optional<Angle>& swing, const Pose& pair) const {
-  Pose result{tool_at(machine_, part, pair.tool), part.start.work};
-  if (!swing && machine_.is_orthogonal()) return result;
-  const Angle tilted = machine_.is_orthogonal() ? Angle() : tilt_swing(machine_, part, result.tool);
-  result.work = lifted_work(part.start.work, pair.work, swing.value_or(Angle()), tilted, machine_);
+Pose lifted(const Machine& machine, const BranchPart& part, const std::optional<Angle>& swing, const Pose& pair) {
+  Pose result{tool_at(machine, part, pair.tool), part.start.work};
+  if (!swing && machine.is_orthogonal()) return result;
+  const Angle tilted = machine.is_orthogonal() ? Angle() : tilt_swing(machine, part, result.tool);
+  result.work = lifted_work(part.start.work, pair.work, swing.value_or(Angle()), tilted, machine);
   return result;
 }
 

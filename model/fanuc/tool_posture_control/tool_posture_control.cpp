@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "model/fanuc/tool_posture_control/lift.h"
 #include "model/kinematics/inverse.h"
 
 namespace toolcomp::model {
@@ -45,7 +46,7 @@ PosturePlan even_plan(const SharedFrame& frame, const Pose& start, const Pose& e
 // The pair that is to be reached where no branch is followed.
 Solution ToolPostureControl::pair(const SharedFrame& frame, const PostureBlock& block) const {
   if (const auto& commanded = block.commanded)
-    return {*commanded, frame->machine.is_invertible() ? lift_.branch_of(commanded->tool) : 0};
+    return {*commanded, frame->machine.is_invertible() ? branch_of(frame->machine, commanded->tool) : 0};
   return choice_.choose(pairs(recorder_, frame, block.to), block.start, known_parallel(block.from, block.to));
 }
 
@@ -78,7 +79,8 @@ struct ToolPostureControl::InPlane {
     if (branch != Sign::zero) return {block.start, static_cast<int>(branch)};
     const Solution to = control.pair(frame, block);
     const bool has_branch = to.branch != 0;
-    return {block.start, has_branch ? to.branch : control.lift_.branch_toward(block.start.tool, to.pose.tool), 0, true};
+    return {block.start, has_branch ? to.branch : branch_toward(frame->machine, block.start.tool, to.pose.tool), 0,
+            true};
   }
 
   // On orthogonal axes a great circle through a pole is run by the tool-side axis alone, evenly.
@@ -100,11 +102,11 @@ struct ToolPostureControl::InPlane {
   [[nodiscard]] PosturePlan from_pole(const SingularPosture& pole) const {
     const Pose& here = block.start;
     const Solution to = control.pair(frame, block);
-    const int branch = to.branch != 0 ? to.branch : control.lift_.branch_between(here.tool, to.pose.tool);
+    const int branch = to.branch != 0 ? to.branch : branch_between(frame->machine, here.tool, to.pose.tool);
     const bool differs = absolute(to.pose.tool - here.tool) > Angle(180);
     if (control.rules_.is_mismatch(differs)) return give_way(to.pose);
     control.recorder_.reach(Clause::fanuc_tool_posture_lift);
-    PosturePlan plan{{}, {here.tool, control.lift_.work_at_pole(to.pose, branch)}, to.pose, block.to};
+    PosturePlan plan{{}, {here.tool, work_at_pole(frame->machine, to.pose, branch)}, to.pose, block.to};
     if (control.rules_.turns(Clause::fanuc_tool_posture_pre_turn, plan.start.work, here.work))
       plan.pre_turn = plan.start;
     plan.motion = motion({plan.start, branch, pole.side}, 0, {}, plan.end);
@@ -113,7 +115,7 @@ struct ToolPostureControl::InPlane {
 
   [[nodiscard]] PosturePlan to_pole(const BranchPart& part, const SingularPosture& pole) const {
     control.recorder_.reach(Clause::fanuc_tool_posture_lift);
-    PosturePlan plan{{}, block.start, control.lift_.at_pole(part, pole), block.to};
+    PosturePlan plan{{}, block.start, lifted_to_pole(frame->machine, part, pole), block.to};
     if (const auto& commanded = block.commanded) {
       if (control.rules_.is_mismatch(!(commanded->tool == plan.end.tool))) return give_way(*commanded);
       if (control.rules_.turns(Clause::fanuc_tool_posture_post_turn, commanded->work, plan.end.work))
@@ -130,13 +132,13 @@ struct ToolPostureControl::InPlane {
     const auto& commanded = block.commanded;
     std::optional<BranchPart> behind;
     if (passed.crossed != nullptr)
-      behind = BranchPart{control.lift_.at_pole(part, *passed.crossed), -part.branch, passed.crossed->side};
+      behind = BranchPart{lifted_to_pole(frame->machine, part, *passed.crossed), -part.branch, passed.crossed->side};
     const BranchPart& last = behind ? *behind : part;
     const std::optional<Angle> swing = swung(passed.side);
     const Pose pair = commanded ? *commanded : of_branch(last.branch);
-    PosturePlan plan{{}, block.start, control.lift_.end(last, swing, pair), block.to};
+    PosturePlan plan{{}, block.start, lifted(frame->machine, last, swing, pair), block.to};
     if (commanded) {
-      const int of_commanded = control.lift_.branch_of(commanded->tool);
+      const int of_commanded = branch_of(frame->machine, commanded->tool);
       const bool differs = (of_commanded != 0 && of_commanded != last.branch) || !(plan.end == *commanded);
       if (control.rules_.is_mismatch(differs)) return give_way(*commanded);
       plan.end = *commanded;
@@ -170,7 +172,7 @@ struct ToolPostureControl::InPlane {
                                                    const Pose& end) const {
     const SingularPosture* const pole = control.rules_.near(work_axis);
     if (pole == nullptr) return std::nullopt;
-    const Pose to = PostureRules::changed(block.start, end, control.lift_.at_pole(part, *pole).tool);
+    const Pose to = PostureRules::changed(block.start, end, lifted_to_pole(frame->machine, part, *pole).tool);
     // With orthogonal axes the work-side axis turns as the directions do, whose components are simpler than positions.
     const Angle turned = frame->machine.is_orthogonal() && swing ? *swing : end.work - block.start.work;
     if (control.rules_.may_stand(turned) && control.choice_.inside(to)) {

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "model/basis/recorder.h"
-#include "model/fanuc/tool_posture_control/lift.h"
+#include "model/fanuc/tool_posture_control/motions.h"
 #include "model/fanuc/tool_posture_control/rules.h"
 #include "model/kinematics/control_frame.h"
 #include "model/kinematics/pair_choice.h"
@@ -40,7 +40,7 @@ class ToolPostureControl {
  public:
   // Parameters 19738, 19739, 19696#3.
   ToolPostureControl(const spec::Setup& setup, const Machine& machine, const PairChoice& choice, Recorder& recorder)
-      : choice_(choice), recorder_(recorder), lift_(machine), rules_(setup, machine, recorder) {}
+      : choice_(choice), recorder_(recorder), rules_(setup, machine, recorder) {}
 
   // With P1. Throws Alarm PS5459 or PS5421.
   [[nodiscard]] PosturePlan plan(const SharedFrame& frame, const PostureBlock& block) const;
@@ -53,7 +53,6 @@ class ToolPostureControl {
 
   const PairChoice& choice_;
   Recorder& recorder_;
-  Lift lift_;
   PostureRules rules_;
 };
 
