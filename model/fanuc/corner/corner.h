@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "model/basis/event.h"
 #include "model/fanuc/corner/offset_path.h"
@@ -74,5 +75,72 @@ bool have_offset_paths(Recorder& recorder, const PathEnd& former, const PathEnd&
 // goes to 0. The tangents are not parallel, and there are offset paths. Nothing where they do not meet. Clauses:
 // fanuc.cutter-c.line-meets-arc, line-arc-point, circles-apart, circles-nested, arc-arc-point.
 std::optional<PlanePoint> paths_meet(Recorder& recorder, const PathEnd& former, const PathEnd& latter);
+
+// Where the head of a vector lies as a block sees it.
+enum class Seat : std::uint8_t {
+  off,    // anywhere
+  on,     // on the block's offset path
+  square  // at right angles to the programmed path, at the distance of the offset
+};
+
+// A compensation vector at a corner.
+template <class V>
+struct SeatedVector {
+  V vector;  // from the corner, setup units
+  Seat former = Seat::off;
+  Seat latter = Seat::off;
+  bool after_stop = false;  // the tool gets there behind the single-block stop point
+};
+// In the plane of the corner, and in X Y Z whatever that plane is.
+using CornerVector = SeatedVector<PlanePoint>;
+using SpaceVector = SeatedVector<Vector>;
+
+// In the order the tool takes their heads: at least one, at most four.
+using VectorGroup = std::vector<CornerVector>;
+using SpaceGroup = std::vector<SpaceVector>;
+inline SpaceGroup in_space(spec::Plane plane, const VectorGroup& group) {
+  SpaceGroup result;
+  for (const CornerVector& v : group) result.push_back({in_space(plane, v.vector), v.former, v.latter});
+  return result;
+}
+
+// P1 and P2 alone: at right angles to the former, to the latter block.
+inline CornerVector square_to_former(const PathEnd& former) { return {perpendicular(former), Seat::square, Seat::off}; }
+inline CornerVector square_to_latter(const PathEnd& latter) { return {perpendicular(latter), Seat::off, Seat::square}; }
+
+// The way round an outer corner: P1 where it is asked for; along the tangents, by the two prolonged vectors of an acute
+// corner or the one where the tangents meet; P2 where it is asked for.
+template <class V>
+std::vector<SeatedVector<V>> way_round(CornerClass kind, const Tangent<V>& former, const Tangent<V>& latter,
+                                       bool with_p1, bool with_p2) {
+  std::vector<SeatedVector<V>> group;
+  if (with_p1) group.push_back({perpendicular(former), Seat::square, Seat::off});
+  if (kind == CornerClass::acute) {
+    group.push_back({prolonged(former)});
+    group.push_back({begun_before(latter)});
+  } else {
+    group.push_back({tangents_meet(former, latter)});
+  }
+  if (with_p2) group.push_back({perpendicular(latter), Seat::off, Seat::square});
+  return group;
+}
+inline VectorGroup way_round(CornerClass kind, const PathEnd& former, const PathEnd& latter, bool with_p1,
+                             bool with_p2) {
+  return way_round(kind, tangent(former), tangent(latter), with_p1, with_p2);
+}
+
+// The rules of chapter 14 by which cutter compensation C and tool side compensation make the vectors at a corner of a
+// plane (rules.cpp). The offset at the end of `former` is not 0, but for square_to. Clauses: fanuc.cutter-c.*.
+
+// P1 alone; of an offset of 0 the vector 0.
+VectorGroup square_to(Recorder& recorder, const PathEnd& former);
+// Offset mode; nothing where an inner corner has no intersection (PS0033).
+std::optional<VectorGroup> offset_mode(Recorder& recorder, const PathEnd& former, const PathEnd& latter);
+// The side changes; `latter.offset` is the opposite of `former.offset`.
+VectorGroup direction_change(Recorder& recorder, const PathEnd& former, const PathEnd& latter);
+// Whether an arc that turns from `start` to `end`, both seen from its centre or both a quarter turn from there, sweeps
+// less than a half circle. `radii`: the product of their lengths.
+bool is_under_half_circle(Recorder& recorder, int turn, const PlanePoint& start, const PlanePoint& end,
+                          const Real& radii);
 
 }  // namespace toolcomp::model

@@ -2,27 +2,16 @@
 #include "model/fanuc/corner/corner_block.h"
 
 #include "model/basis/number.h"
-#include "model/geometry/plane.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::model {
 
 ArcEnds arc_of(const Leg& leg, const std::optional<Rational>& radius, const spec::Axes& axes) {
   const spec::Arc<Real>& arc = *leg.arc;
-  const PlaneLetters in_plane = letters(arc.plane);
-  // A machine without an axis of the plane stands at 0 in it.
-  const auto from_center = [&](char letter) {
-    if (!axes.has(letter)) return Real(0);
-    const std::size_t axis = axes.index(letter);
-    return leg.actual(axis).value() - arc.center[axis];
-  };
-  ArcEnds ends;
-  ends.end = {from_center(in_plane.first), from_center(in_plane.second)};
-  ends.start = ends.end - in_plane_of(arc.plane, leg.travel);
-  ends.turn = arc.direction == spec::ArcDirection::ccw ? 1 : -1;
-  ends.radius = radius;
-  ends.one_radius = !arc.radius;
-  return ends;
+  const PlanePoint end =
+      in_axes(arc.plane, axes, [&](std::size_t axis) { return leg.actual(axis).value() - arc.center[axis]; });
+  const int turn = arc.direction == spec::ArcDirection::ccw ? 1 : -1;
+  return {end - in_plane_of(arc.plane, leg.travel), end, turn, radius, !arc.radius};
 }
 
 CornerWords::CornerWords(const Pass::Place& place, std::optional<CutterSide> (*side_of)(Compensation))
@@ -37,7 +26,7 @@ std::uint32_t CornerWords::number_after(const Command& command) const {
   return offset_.number_after(command.codes).number;
 }
 
-bool CornerWords::fill(const BlockWords& now, bool starts, bool by_motion, CornerBlock& block) {
+bool CornerWords::read(const BlockWords& now, bool starts, bool by_motion, CornerBlock& block) {
   const Command& command = now.command;
   const Codes& codes = command.codes;
   block.before = side_;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a block says to the compensations that make vectors at corners: cutter compensation and tool side compensation.
+// What a block says to the compensations that make vectors at corners, cutter compensation and tool side compensation,
+// and their mode.
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 
 #include "model/fanuc/corner/offset_path.h"
@@ -42,6 +42,12 @@ struct CornerBlock {
   [[nodiscard]] bool changes_number() const { return number_given && number != number_before; }
 };
 
+// What `at` gives for the axes of a plane, by axis. A machine without an axis of the plane stands at 0 in it.
+template <class At>
+PlanePoint in_axes(spec::Plane plane, const spec::Axes& axes, At at) {
+  const auto of = [&](char letter) { return axes.has(letter) ? at(axes.index(letter)) : Real(0); };
+  return {of(letters(plane).first), of(letters(plane).second)};
+}
 // The arc of a leg in its plane. `radius`: of CornerBlock.
 ArcEnds arc_of(const Leg& leg, const std::optional<Rational>& radius, const spec::Axes& axes);
 
@@ -55,19 +61,13 @@ class CornerWords {
   [[nodiscard]] CutterSide side_after(const Command& command) const;
   [[nodiscard]] std::uint32_t number_after(const Command& command) const;
 
-  // What the block says, without the value of its number; nothing before the first words of the section in a program:
+  // What the block says, without the value of its number; false before the first words of the section in a program:
   // a side, or what `starts` says. `by_motion`: the block moves by its code of group 01.
-  template <class Block>
-  [[nodiscard]] std::shared_ptr<Block> read(const BlockWords& now, bool starts, bool by_motion) {
-    auto block = std::make_shared<Block>();
-    return fill(now, starts, by_motion, *block) ? block : nullptr;
-  }
+  [[nodiscard]] bool read(const BlockWords& now, bool starts, bool by_motion, CornerBlock& block);
   // The value in force at the end of the block. Throws Alarm PS0029.
   void add_value(CornerBlock& block);
 
  private:
-  bool fill(const BlockWords& now, bool starts, bool by_motion, CornerBlock& block);
-
   std::optional<CutterSide> (*side_of_)(Compensation);
   OffsetInForce offset_;
   spec::Axes axes_;
@@ -80,5 +80,49 @@ class CornerWords {
 // Throws spec::InputError for another number. Clauses: fanuc.cutter-c.two-non-motion-blocks,
 // fanuc.tool-side.look-ahead.
 int blocks_read(const spec::Setup& setup);
+
+// The mode of such a compensation.
+class CornerMode {
+ public:
+  CornerMode(const spec::Setup& setup, Recorder& recorder) : setup_(setup), recorder_(recorder) {}
+
+  // There is a vector, or a block that makes one.
+  [[nodiscard]] bool is_on() const { return phase_ > Phase::pending; }
+  // Or a code asks for one.
+  [[nodiscard]] bool is_on_or_asked_for() const { return is_on() || asked_; }
+  // A moving block has made the vector, or makes it.
+  [[nodiscard]] bool made_by_move() const { return phase_ == Phase::started || phase_ == Phase::running; }
+  // A block that asks for the mode, or no longer does, as its words say, starts or cancels it.
+  [[nodiscard]] bool starts(bool wanted) const { return wanted && phase_ == Phase::off; }
+  [[nodiscard]] bool cancels(bool wanted) const { return !wanted && is_on(); }
+
+ protected:
+  enum class Phase : std::uint8_t {
+    off,
+    pending,  // a lone start waits for the next block that moves
+    started,  // no block has moved since the start-up block
+    running,
+    taken_away,  // the mode goes on without a vector: after G52, G92, G53 or a reference return
+    ending       // after a lone cancel the vector waits for its removal
+  };
+
+  [[nodiscard]] bool is_pending() const { return phase_ == Phase::pending; }
+  // fanuc.cutter-c.number-zero: Number 0 in force acts as G40 does. G41 or G42 stays in force, and a later number other
+  // than 0 asks for the mode again. A number other than 0 whose value is 0 does not cancel: the mode starts and stays
+  // on.
+  [[nodiscard]] bool asks(const CornerBlock& block) const {
+    return block.side != CutterSide::none && !recorder_.decide(Clause::fanuc_cutter_c_number_zero, block.number == 0);
+  }
+  // Whether the first block that moves after a start changes the side.
+  [[nodiscard]] bool changes_side_at_start(const CutterOffset& offset) const {
+    return (phase_ == Phase::started || is_pending()) && offset.side != last_.side;
+  }
+
+  const spec::Setup& setup_;
+  Recorder& recorder_;
+  Phase phase_ = Phase::off;
+  bool asked_ = false;  // by the last block: a side and a number other than 0 in force
+  CutterOffset last_;   // of the last block that moved, or of a lone start
+};
 
 }  // namespace toolcomp::model

@@ -18,32 +18,19 @@ Heading heading(const PlanePoint& along) {
 }
 
 OffsetPath line_path(const PlanePoint& travel, const Rational& offset_at_start, const Rational& offset_at_end) {
-  OffsetPath path;
-  path.travel = travel;
-  path.start.heading = heading(travel);
-  path.start.offset = offset_at_start;
-  path.end = path.start;
-  path.end.offset = offset_at_end;
-  return path;
+  const Heading way = heading(travel);
+  return {travel, {way, 0, offset_at_start}, {way, 0, offset_at_end}};
 }
 
 PathEnd arc_end(const PlanePoint& from_center, int turn, const std::optional<Rational>& radius,
                 const Rational& offset) {
-  PathEnd end;
   const PlanePoint along = Real(turn) * left(from_center);
-  end.heading = radius ? Heading{along, Rational(*radius * *radius), *radius} : heading(along);
-  end.turn = turn;
-  end.offset = offset;
-  return end;
+  return {radius ? Heading{along, Rational(*radius * *radius), *radius} : heading(along), turn, offset};
 }
 
 OffsetPath arc_path(const ArcEnds& arc, const Rational& offset_at_start, const Rational& offset_at_end) {
-  OffsetPath path;
-  path.travel = arc.end - arc.start;
-  path.one_radius = arc.one_radius;
-  path.start = arc_end(arc.start, arc.turn, arc.radius, offset_at_start);
-  path.end = arc_end(arc.end, arc.turn, arc.radius, offset_at_end);
-  return path;
+  return {arc.end - arc.start, arc_end(arc.start, arc.turn, arc.radius, offset_at_start),
+          arc_end(arc.end, arc.turn, arc.radius, offset_at_end), arc.one_radius};
 }
 
 Sign decide_offset_radius(Recorder& recorder, Clause clause, const PathEnd& end) {

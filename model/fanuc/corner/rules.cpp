@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/fanuc/corner/rules.h"
+#include "model/fanuc/corner/corner.h"
 
 namespace toolcomp::model {
 

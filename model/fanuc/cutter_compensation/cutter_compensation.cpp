@@ -47,10 +47,7 @@ std::optional<PlanePoint> direction_of(const Command& command, const Interpreter
 }
 
 PlanePoint point(spec::Plane plane, const Leg& leg, const spec::Axes& axes) {
-  const PlaneLetters in_plane = letters(plane);
-  // A machine without an axis of the plane stands at 0 in it.
-  const auto at = [&](char letter) { return axes.has(letter) ? leg.actual(axes.index(letter)).value() : Real(0); };
-  return {at(in_plane.first), at(in_plane.second)};
+  return in_axes(plane, axes, [&](std::size_t axis) { return leg.actual(axis).value(); });
 }
 
 }  // namespace
@@ -66,19 +63,19 @@ void CutterCompensation::read(const BlockWords& now, StepWords& words) {
   const Command& command = now.command;
   const OneShot one_shot = command.codes.one_shot;
   const bool by_motion = one_shot == OneShot::none || is_tool_offset(one_shot);
-  words.cutter = words_.read<CutterBlock>(now, one_shot == OneShot::corner_arc, by_motion);
-  if (!words.cutter) return;
-  CutterBlock& block = *words.cutter;
-  block.plane = command.plane;
-  block.one_shot = one_shot;
-  block.direction = direction_of(command, now.interpreter, setup().axes);
+  auto block = std::make_shared<CutterBlock>();
+  if (!words_.read(now, one_shot == OneShot::corner_arc, by_motion, *block)) return;
+  words.cutter = block;
+  block->plane = command.plane;
+  block->one_shot = one_shot;
+  block->direction = direction_of(command, now.interpreter, setup().axes);
   const PlaneLetters in_plane = letters(command.plane);
-  block.word = {command.names(setup().axes, in_plane.first), command.names(setup().axes, in_plane.second)};
-  block.axis_word = command.axes != 0;
-  block.direction_letters = has_center_letter(command);
-  check_common(block, command);
-  check(block, command);
-  words_.add_value(block);
+  block->word = {command.names(setup().axes, in_plane.first), command.names(setup().axes, in_plane.second)};
+  block->axis_word = command.axes != 0;
+  block->direction_letters = has_center_letter(command);
+  check_common(*block, command);
+  check(*block, command);
+  words_.add_value(*block);
 }
 
 void CutterCompensation::see(const BlockWay& way, StepWords& words) const {
@@ -91,6 +88,19 @@ void CutterCompensation::see(const BlockWay& way, StepWords& words) const {
   block.motion = motion_of(block, legs);
   block.add_place(way);
   if (block.motion == PlaneMotion::arc) block.arc = arc_of(legs.front(), block.radius, setup().axes);
+}
+
+spec::Arc<Real>& CutterCompensation::make_corner_arc(Leg& leg, const CutterBlock& block,
+                                                     spec::ArcDirection direction) const {
+  leg.type = spec::MoveType::arc;
+  leg.cause = spec::Cause::corner;
+  spec::Arc<Real>& arc = leg.arc.emplace();
+  arc.plane = block.plane;
+  arc.direction = direction;
+  const PlaneLetters in_plane = letters(block.plane);
+  arc.center.set(setup().axes.index(in_plane.first), block.start[0]);
+  arc.center.set(setup().axes.index(in_plane.second), block.start[1]);
+  return arc;
 }
 
 void CutterCompensation::check_common(const CutterBlock& words, const Command& command) const {

@@ -95,9 +95,7 @@ class CutterCompensationB : public CutterCompensation {
     if (on() && block.number_given) recorder().decide(Clause::fanuc_cutter_b_number_changed, block.changes_number());
     if (block.one_shot == OneShot::corner_arc) {
       corner_arc(step);
-      return;
-    }
-    if (is_machine_move(block.motion)) {
+    } else if (is_machine_move(block.motion)) {
       machine_position(step);
     } else if (block.motion == PlaneMotion::arc) {
       arc(step);
@@ -157,18 +155,8 @@ class CutterCompensationB : public CutterCompensation {
     const CornerArcOfB made = corner_arc_of_b(recorder(), block, vector_);
     vector_ = made.vector;
     if (made.moves) {
-      Move move = step.rest;
-      move.leg.type = spec::MoveType::arc;
-      move.leg.cause = spec::Cause::corner;
-      spec::Arc<Real>& arc = move.leg.arc.emplace();
-      arc.plane = block.plane;
-      arc.direction = made.direction;
-      const PlaneLetters in_plane = letters(block.plane);
-      const Vector center = in_space(block.plane, block.start);
-      for (const char letter : {in_plane.first, in_plane.second})
-        arc.center.set(setup().axes.index(letter), component(center, space_index(letter)));
-      run_on(arc, made.way);
-      step.moves = {std::move(move)};
+      step.moves = {step.rest};
+      run_on(make_corner_arc(step.moves.front().leg, block, made.direction), made.way);
     }
     keep(step);
   }

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "model/fanuc/cutter_compensation/cutter_block.h"
+#include "model/fanuc/cutter_compensation/cutter_compensation.h"
 
 namespace toolcomp::model {
 

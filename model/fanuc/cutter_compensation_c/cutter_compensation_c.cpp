@@ -23,13 +23,6 @@ bool makes_corner(CutterPart part) {
   return part == CutterPart::moving || part == CutterPart::cancel || part == CutterPart::way_to_intermediate;
 }
 
-// A block of the plane between two vectors.
-CheckedPath between_vectors(spec::Plane plane, const OffsetPath& path) {
-  return {path.start, path.end, [&path, plane](const Vector& from, const Vector& to) {
-            return way_along(path, in_plane_of(plane, from), in_plane_of(plane, to));
-          }};
-}
-
 CornerVector in_plane(spec::Plane plane, const SpaceVector& v) {
   return {in_plane_of(plane, v.vector), v.former, v.latter};
 }
@@ -46,14 +39,13 @@ class CutterCompensationC final : public CutterCompensation {
   [[nodiscard]] int look_ahead() const override { return idle_limit_; }
   [[nodiscard]] bool on() const override { return mode_.is_on_or_asked_for(); }
   void take(OwnedStep step) override {
-    CutterPlan plan = mode_.next(*step->words.cutter, *step, waiting());
+    CutterPlan plan = mode_.next(*step, waiting());
     step->clauses.add(recorder().take_clauses());
     window_.push({std::move(step), std::move(plan)});
   }
 
   void end() override { window_.end(); }
   OwnedStep next() override {
-    if (window_.empty()) return nullptr;
     const auto ahead = look();
     if (!ahead) return nullptr;
     Planned now = window_.pop();
@@ -118,21 +110,21 @@ class CutterCompensationC final : public CutterCompensation {
   // fanuc.cutter-c.repeated: If block B, or a block between A and B, has a word G41 or G42 equal to the code in force
   // before it, the group is P1 of A, at inner and outer corners alike.
   [[nodiscard]] std::optional<Ahead> look() const {
+    if (window_.empty()) return std::nullopt;
     const Planned& a = window_[0];
     const CutterPart part = a.plan.part;
     if (part != CutterPart::start_up && part != CutterPart::moving && part != CutterPart::lone_start &&
         (part != CutterPart::corner_arc || block_of(a).direction))
       return Ahead{};
-    if (stops_reading(block_of(a), *a.step)) return Ahead{.why = Clause::fanuc_cutter_c_look_ahead_stopped};
+    if (a.plan.stops) return Ahead{.why = Clause::fanuc_cutter_c_look_ahead_stopped};
     bool repeated = false;
     int count = 0;
     for (std::size_t i = 1; i < window_.size(); ++i) {
       const Planned& b = window_[i];
-      const CutterBlock& block = block_of(b);
-      repeated = repeated || block.repeats_code();
+      repeated = repeated || block_of(b).repeats_code();
       if (makes_corner(b.plan.part)) return Ahead{&b, repeated, count > 0};
       // A reference return is a case of fanuc.cutter-c.no-next-block, whether reading stops there or not.
-      if (stops_reading(block, *b.step) && block.motion != PlaneMotion::reference)
+      if (b.plan.stops && block_of(b).motion != PlaneMotion::reference)
         return Ahead{.why = Clause::fanuc_cutter_c_look_ahead_stopped};
       if (b.plan.shifts) return Ahead{.why = Clause::fanuc_cutter_c_coordinate_shift};
       if (b.plan.part != CutterPart::idle && b.plan.part != CutterPart::lone_start)
@@ -150,15 +142,13 @@ class CutterCompensationC final : public CutterCompensation {
     if (now.plan.shifts) shift(now);
     switch (now.plan.part) {
       case CutterPart::free:
-        break;
+        return;
       case CutterPart::idle:
-        at_head(*now.step, tool_.heads.front());
         break;
       case CutterPart::outside_axes:
         // fanuc.cutter-c.outside-axes-only: A block with G53, G28, G30, G30.1 or G29 that names only axes outside the
         // plane keeps the vector. The block before ends with P1, and the next moving block starts from that vector.
         recorder().reach(Clause::fanuc_cutter_c_outside_axes_only);
-        at_head(*now.step, tool_.heads.front());
         break;
       case CutterPart::lone_start:
         lone_start(now, ahead);
@@ -166,23 +156,21 @@ class CutterCompensationC final : public CutterCompensation {
       case CutterPart::lone_cancel:
         lone_cancel(now);
         break;
-      case CutterPart::start_up:
-      case CutterPart::moving:
-        mode_block(now, ahead);
-        break;
-      case CutterPart::cancel:
-      case CutterPart::cancel_by_zero_travel:
-        cancel(now);
-        break;
       case CutterPart::corner_arc:
         corner_arc(now, ahead);
         break;
+      case CutterPart::start_up:
+      case CutterPart::moving:
+        return mode_block(now, ahead);
+      case CutterPart::cancel:
+      case CutterPart::cancel_by_zero_travel:
+        return cancel(now);
       case CutterPart::vector_goes:
       case CutterPart::way_to_intermediate:
       case CutterPart::along_to_intermediate:
-        machine_move(now);
-        break;
+        return machine_move(now);
     }
+    at_head(*now.step, tool_.heads.front());
   }
 
   // A start-up block, or a block of the offset mode.
@@ -193,12 +181,14 @@ class CutterCompensationC final : public CutterCompensation {
     std::optional<ToolArcRun> run;
     if (path.is_arc())
       run.emplace(recorder(), path, in_plane(plane, tool_.heads.back()), in_plane(plane, at_end.front()));
+    const CheckedPath between_vectors{path.start, path.end, [&](const Vector& from, const Vector& to) {
+                                        return way_along(path, in_plane_of(plane, from), in_plane_of(plane, to));
+                                      }};
     Checked checked;
     // fanuc.cutter-c.interference-check: No. 5008 bit 0, CNI, switches the interference check: 0 checks, 1 does not.
     if (a.plan.part == CutterPart::moving && a.plan.to_check && ahead.why != Clause::fanuc_cutter_c_coordinate_shift &&
         recorder().decide(Clause::fanuc_cutter_c_interference_check, !setup().bit(5008, 0)))
-      checked = check_interference(recorder(), interference(), between_vectors(plane, path), tool_.heads, at_end,
-                                   run ? &*run : nullptr);
+      checked = check_interference(recorder(), &setup(), between_vectors, tool_.heads, at_end, run ? &*run : nullptr);
     // fanuc.cutter-c.interference-alarm: Interference of the last pair, or of the only pair, raises PS0041 (except in
     // fanuc.cutter-c.interference-without-alarm). The alarm names the block. Neither the block nor its corner moves are
     // given; the block before it runs to the first head of its own group.
@@ -209,11 +199,6 @@ class CutterCompensationC final : public CutterCompensation {
     insert_corner_moves(*a.step, block_of(a), tool_);
     tool_.heads = std::move(at_end);
     here_ = path.end.heading;
-  }
-
-  [[nodiscard]] InterferenceRules interference() const {
-    const bool keeps_vectors = setup().series == spec::Series::series_30i && setup().bit(5008, 3);
-    return {.by_parameters = true, .keeps_vectors = keeps_vectors, .no_alarm = setup().bit(5008, 1)};
   }
 
   // The vectors at the end of a moving block: those of the corner, or P1.
@@ -250,11 +235,17 @@ class CutterCompensationC final : public CutterCompensation {
     // that has it, or, if that block does not move, at the end of the next moving block.
     if (!corner.cancels)
       recorder().decide(Clause::fanuc_cutter_c_value_at_a_corner, b.plan.offset.value != a.plan.offset.value);
-    auto group = rules_.group(corner);
+    auto group = rules_.by_first_rule(corner);
     // fanuc.cutter-c.no-intersection: An inner corner with an arc and R' >= 0 whose offset paths do not meet raises
     // PS0033. The alarm names A. Neither A nor a corner move of A is given, and the blocks before A are given as
     // computed with A present.
     if (!group) raise_at(a, Clause::fanuc_cutter_c_no_intersection, AlarmCause::no_intersection, {});
+    rules_.drop_small_movements(*group, corner.latter);
+    // fanuc.cutter-c.corner-movement: Block A ends at the first head of the group, and the straight moves between the
+    // heads belong to B. These moves have the cause corner. They are rapid if G00 is in force in B, otherwise linear.
+    // They have B's feed; tool direction, length offset and other axes are as before B. They carry no machine
+    // coordinates, not even before G28.
+    recorder().decide(Clause::fanuc_cutter_c_corner_movement, group->size() > 1);
     return std::move(*group);
   }
 
@@ -289,7 +280,6 @@ class CutterCompensationC final : public CutterCompensation {
     } else {
       recorder().reach(Clause::fanuc_cutter_c_start_without_next_block);
     }
-    at_head(*now.step, tool_.heads.front());
   }
 
   // G40 or number 0.
@@ -319,7 +309,6 @@ class CutterCompensationC final : public CutterCompensation {
     const bool removes = recorder().decide(Clause::fanuc_cutter_c_suv, setup().bit(5003, 1));
     if (removes) at_once(now, spec::Cause::cancel);
     if (removes || !now.plan.changes) tool_.stand({});
-    at_head(*now.step, tool_.heads.front());
   }
 
   // G39: an arc about the corner.
@@ -348,7 +337,6 @@ class CutterCompensationC final : public CutterCompensation {
         throw LeftOpen(open);
       }
     }
-    at_head(*now.step, tool_.heads.front());
   }
 
   // From the vector in force, which is square to its heading, to the one square to another.
@@ -372,22 +360,12 @@ class CutterCompensationC final : public CutterCompensation {
     const CutterBlock& block = block_of(now);
     if (side != Sign::zero || cosine.sign() != Sign::positive) {
       if (now.step->moves.empty()) now.step->moves.push_back(now.step->rest);
-      Leg& leg = now.step->moves.front().leg;
-      leg.type = spec::MoveType::arc;
-      leg.cause = spec::Cause::corner;
-      spec::Arc<Real>& path = leg.arc.emplace();
-      const PlaneLetters in_plane = letters(block.plane);
-      path.center.set(setup().axes.index(in_plane.first), block.start[0]);
-      path.center.set(setup().axes.index(in_plane.second), block.start[1]);
-      path.plane = block.plane;
-      path.direction = clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
-      path.sweep = swept_angle(sine, cosine, side);
+      const spec::ArcDirection direction = clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
+      make_corner_arc(now.step->moves.front().leg, block, direction).sweep = swept_angle(sine, cosine, side);
     }
     here_ = to;
-    PathEnd end;
-    end.heading = to;
-    end.offset = offset;
-    tool_.heads = in_space(block.plane, {{perpendicular(end), Seat::off, next_is_square ? Seat::square : Seat::off}});
+    const PlanePoint vector = perpendicular(PathEnd{to, 0, offset});
+    tool_.heads = in_space(block.plane, {{vector, Seat::off, next_is_square ? Seat::square : Seat::off}});
   }
 
   // G52 or G92 of the plane: there is no vector from here on.

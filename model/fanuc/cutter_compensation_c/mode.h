@@ -5,10 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "model/fanuc/corner/corner_mode.h"
-#include "model/fanuc/corner/offset_path.h"
-#include "model/fanuc/cutter_compensation/cutter_block.h"
-#include "model/fanuc/program/step.h"
+#include "model/fanuc/cutter_compensation/cutter_compensation.h"
 
 namespace toolcomp::model {
 
@@ -38,6 +35,7 @@ struct CutterPlan {
   bool changes = false;    // lone_start, lone_cancel: the vector that is made or removed is not 0
   bool shifts = false;     // G52 or G92 of the plane takes the vector away before
   bool after_leg = false;  // shifts: a moving block waits for its corner
+  bool stops = false;      // nothing is read beyond this block before it has run
 };
 
 // Follows the mode through the program. Clauses: fanuc.cutter-c.*.
@@ -51,22 +49,21 @@ class CutterMode : public CornerMode {
     int count = 0;       // of the blocks without motion after it
   };
   // The next block. Throws Alarm PS0038 or DIR_CHANGE_AT_STARTUP, or LeftOpen.
-  CutterPlan next(const CutterBlock& block, const Step& step, const std::optional<Waiting>& waiting);
+  CutterPlan next(const Step& step, const std::optional<Waiting>& waiting);
 
  private:
-  CutterPlan while_off(const CutterBlock& block, bool asked, bool moves);
-  CutterPlan while_on(const CutterBlock& block, const Step& step, bool asked, bool moves);
-  CutterPlan of_part(CutterPart part) const;
+  CutterPlan while_off(const CutterBlock& block);
+  CutterPlan while_on(const CutterBlock& block, const Step& step);
+  [[nodiscard]] CutterPlan of_part(CutterPart part) const { return {.part = part, .offset = last_, .path = {}}; }
+  // A block of the offset mode.
+  CutterPlan in_mode(CutterPart part, const CutterBlock& block);
   CutterPlan moving(const CutterBlock& block, const Step& step);
-  CutterPlan machine_move(const CutterBlock& block, bool asked);
-  CutterPlan reference_with_intersection(const CutterBlock& block);
+  CutterPlan machine_move(const CutterBlock& block);
   CutterPlan without_motion(const CutterBlock& block);
   CutterPlan lone_cancel();
   CutterPlan cancel(const CutterBlock& block);
-  [[nodiscard]] CutterOffset next_offset(const CutterBlock& block) const;
   // Whether a moving block waits for its corner. Throws LeftOpen.
   bool take_vector_away();
-  void go_on_without_vector();
   // What waits makes no corner.
   void nothing_follows();
 
@@ -74,8 +71,5 @@ class CutterMode : public CornerMode {
 
   std::optional<Waiting> waiting_;  // while a block is planned
 };
-
-// Nothing is read beyond this block before it has run. Clause: fanuc.cutter-c.look-ahead-stopped.
-bool stops_reading(const CutterBlock& block, const Step& step);
 
 }  // namespace toolcomp::model

@@ -40,18 +40,6 @@ std::optional<VectorGroup> CutterRules::by_first_rule(const CutterCorner& corner
   return offset_mode(recorder_, former, latter);
 }
 
-// fanuc.cutter-c.corner-movement: Block A ends at the first head of the group, and the straight moves between the heads
-// belong to B. These moves have the cause corner. They are rapid if G00 is in force in B, otherwise linear. They have
-// B's feed; tool direction, length offset and other axes are as before B. They carry no machine coordinates, not even
-// before G28.
-std::optional<VectorGroup> CutterRules::group(const CutterCorner& corner) const {
-  std::optional<VectorGroup> group = by_first_rule(corner);
-  if (!group) return std::nullopt;
-  drop_small_movements(*group, corner.latter);
-  recorder_.decide(Clause::fanuc_cutter_c_corner_movement, group->size() > 1);
-  return group;
-}
-
 // fanuc.cutter-c.start-up-type: No. 5003 bit 0, SUP, chooses the type of start-up and cancel in blocks that move in the
 // plane, whatever SUV is: 0 is type A, 1 is type B. With type A the group is P2 at start-up and P1 at cancel, whatever
 // the corner; the corner is not classified.
@@ -95,9 +83,7 @@ VectorGroup CutterRules::start_or_cancel(const PathEnd& former, const PathEnd& l
 // A's end tangent in either sense, R' < 0, or A is an arc that the line does not meet), the group is P1. PS0033 is not
 // raised.
 VectorGroup CutterRules::cancel_along(const PathEnd& former, const PlanePoint& direction) const {
-  PathEnd line;
-  line.heading = heading(direction);
-  line.offset = former.offset;
+  const PathEnd line{heading(direction), 0, former.offset};
   const Sign turn =
       recorder_.decide(Clause::fanuc_cutter_c_cancel_direction_parallel,
                        cross(former.heading.along, line.heading.along), former.heading.length * line.heading.length);
@@ -119,28 +105,20 @@ void CutterRules::drop_small_movements(VectorGroup& group, const OffsetPath& lat
     if (!is_under_half_circle(recorder_, latter.start.turn, from.along, to.along, from.length * to.length)) return;
   }
   if (smallest_move_ < 0) return;
-  VectorGroup kept{group.front()};
-  for (std::size_t i = 1; i < group.size(); ++i)
-    if (!is_small(group[i].vector - kept.back().vector, latter.start.offset)) kept.push_back(group[i]);
-  group = kept;
-}
-
-// fanuc.cutter-c.small-corner-movement: A vector of a group is dropped if it differs from the last vector kept by at
-// most the limit, No. 5010, both in the first and in the second axis of the plane. The limit is in setup units. It is 0
-// if it is not given, and nothing is dropped if it is negative. The vectors are taken in the order of the group,
-// start-up and cancel included, and the first vector always stays.
-//
-// From both sides. The scale is the length of the heads, not that of their difference: heads that nearly coincide are
-// told apart no better than each of them is known. A head of a group is at most the diagonal of the square of the
-// offset long.
-bool CutterRules::is_small(const PlanePoint& movement, const Rational& offset) const {
-  const Rational scale = smallest_move_ + 4 * abs(offset);
+  // From both sides. The scale is the length of the heads, not that of their difference: heads that nearly coincide are
+  // told apart no better than each of them is known. A head of a group is at most the diagonal of the square of the
+  // offset long.
+  const Rational scale = smallest_move_ + 4 * abs(latter.start.offset);
   const auto within = [&](const Real& margin) {
     return recorder_.decide(Clause::fanuc_cutter_c_small_corner_movement, margin, scale) != Sign::negative;
   };
-  return std::ranges::all_of(movement, [&](const Real& component) {
+  const auto is_small = [&](const Real& component) {
     return within(smallest_move_ - component) && within(smallest_move_ + component);
-  });
+  };
+  VectorGroup kept{group.front()};
+  for (std::size_t i = 1; i < group.size(); ++i)
+    if (!std::ranges::all_of(group[i].vector - kept.back().vector, is_small)) kept.push_back(group[i]);
+  group = kept;
 }
 
 }  // namespace toolcomp::model

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "model/fanuc/corner/rules.h"
+#include "model/fanuc/corner/corner.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::model {
@@ -25,8 +25,8 @@ class CutterRules {
   // Parameters 5003#0 and 5010.
   CutterRules(const spec::Setup& setup, Recorder& recorder);
 
-  // The group; nothing where an inner corner has no intersection (PS0033).
-  [[nodiscard]] std::optional<VectorGroup> group(const CutterCorner& corner) const;
+  // The group, before small movements are dropped; nothing where an inner corner has no intersection (PS0033).
+  [[nodiscard]] std::optional<VectorGroup> by_first_rule(const CutterCorner& corner) const;
 
   // The single rules. The offset at the end of `former` is not 0.
   [[nodiscard]] VectorGroup start_or_cancel(const PathEnd& former, const PathEnd& latter, bool cancels) const;
@@ -34,10 +34,6 @@ class CutterRules {
   void drop_small_movements(VectorGroup& group, const OffsetPath& latter) const;
 
  private:
-  [[nodiscard]] std::optional<VectorGroup> by_first_rule(const CutterCorner& corner) const;
-  // `movement`: from head to head of a group made with this offset.
-  [[nodiscard]] bool is_small(const PlanePoint& movement, const Rational& offset) const;
-
   Recorder& recorder_;
   bool type_b_;             // 5003#0, SUP
   Rational smallest_move_;  // 5010, setup units

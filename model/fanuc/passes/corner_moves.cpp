@@ -2,8 +2,8 @@
 #include "model/fanuc/passes/corner_moves.h"
 
 #include <cstddef>
+#include <memory>
 #include <utility>
-#include <vector>
 
 namespace toolcomp::model {
 namespace {
@@ -14,20 +14,6 @@ Move corner_move(const Move& place, const Move& own) {
   move.leg.type = own.leg.type == spec::MoveType::rapid ? spec::MoveType::rapid : spec::MoveType::linear;
   move.leg.cause = spec::Cause::corner;
   return move;
-}
-
-// The corner before the block, if there is one, was made with its move.
-std::shared_ptr<const Event> unmade(const Step& step, const spec::Axes& axes) {
-  if (step.moves.empty()) return nullptr;
-  const Leg& leg = step.moves.front().leg;
-  Event move;
-  move.type = leg.type;
-  move.line = step.line;
-  for (std::size_t i = 0; i < axes.size(); ++i)
-    if (spec::is_linear_axis(axes.letter(i))) move.programmed.set(i, leg.end.at(i).value());
-  move.arc = leg.arc;
-  move.clauses = step.clauses;
-  return std::make_shared<Event>(std::move(move));
 }
 
 }  // namespace
@@ -45,14 +31,11 @@ void insert_corner_moves(Step& step, const CornerBlock& block, Standing& tool) {
     move.leg.end = *block.position;
     move.tool = block.tool;
   }
-  std::vector<Move> moves;
-  moves.reserve(heads.size() - 1 + step.moves.size());
-  for (std::size_t i = 1; i < heads.size(); ++i) {
+  // The last one first, each in front of those that are there.
+  for (std::size_t i = heads.size() - 1; i > 0; --i) {
     move.offset = heads[i].vector;
-    moves.push_back(move);
+    step.moves.insert(step.moves.begin(), move);
   }
-  for (Move& other : step.moves) moves.push_back(std::move(other));
-  step.moves = std::move(moves);
   heads.erase(heads.begin(), heads.end() - 1);
 }
 
@@ -87,8 +70,18 @@ Alarm geometry_alarm(const Step& step, const spec::Axes& axes, AlarmCause cause,
   Alarm alarm(cause);
   alarm.line = step.line;
   alarm.n = step.n;
-  alarm.unmade = unmade(step, axes);
   alarm.crossing = std::move(crossing);
+  if (step.moves.empty()) return alarm;
+  // The corner before the block, if there is one, was made with its move.
+  const Leg& leg = step.moves.front().leg;
+  auto move = std::make_shared<Event>();
+  move->type = leg.type;
+  move->line = step.line;
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (spec::is_linear_axis(axes.letter(i))) move->programmed.set(i, leg.end.at(i).value());
+  move->arc = leg.arc;
+  move->clauses = step.clauses;
+  alarm.unmade = std::move(move);
   return alarm;
 }
 

@@ -5,7 +5,6 @@
 #include "model/basis/alarm.h"
 #include "model/fanuc/corner/corner_block.h"
 #include "model/fanuc/corner/interference.h"
-#include "model/fanuc/corner/vector_group.h"
 #include "model/fanuc/program/step.h"
 
 namespace toolcomp::model {

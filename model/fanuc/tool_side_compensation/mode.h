@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/fanuc/corner/corner_mode.h"
+#include "model/fanuc/corner/corner_block.h"
 #include "model/fanuc/program/step.h"
 #include "model/fanuc/tool_side_compensation/side_path.h"
 

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "model/fanuc/corner/rules.h"
+#include "model/fanuc/corner/corner.h"
 #include "model/fanuc/tool_side_compensation/side_corner.h"
 #include "spec/language/setup.h"
 

@@ -100,7 +100,7 @@ SideGroup FramedCorner::lifted(VectorGroup group) const {
 }
 
 SpaceGroup way_round(CornerClass kind, const LineCorner& lines, bool with_former, bool with_latter) {
-  auto group = model::way_round<SpaceGroup>(kind, lines.former(), lines.latter(), with_former, with_latter);
+  auto group = model::way_round(kind, lines.former(), lines.latter(), with_former, with_latter);
   mark_stop(group);
   return group;
 }

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "model/fanuc/corner/vector_group.h"
+#include "model/fanuc/corner/corner.h"
 #include "model/fanuc/tool_side_compensation/side_path.h"
 
 namespace toolcomp::model {

@@ -85,8 +85,9 @@ class ToolSideCompensation final : public Pass {
   // From the first G41.2, G42.2, G41.6 or G42.6 of a program on. Throws Alarm TOOL_SIDE_MODE, PS0037,
   // FORBIDDEN_IN_3D_COMPENSATION, Q_FORMAT, TYPE_C_FORMAT, PS0034 or PS0029.
   void read(const BlockWords& now, StepWords& words) override {
-    words.side = words_.read<ToolSideBlock>(now, false, now.command.codes.one_shot == OneShot::none);
-    if (!words.side) return;
+    auto block = std::make_shared<ToolSideBlock>();
+    if (!words_.read(now, false, now.command.codes.one_shot == OneShot::none, *block)) return;
+    words.side = std::move(block);
     words.side->treatment = treatment(now.command);
     words.side->changes_workpiece_system = now.command.codes.workpiece.has_value();
     check(*words.side, now);
