@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cutter compensation B: G40, G41, G42 and G39.
 #include <bit>
-#include <optional>
 #include <utility>
 
 #include "model/basis/alarm.h"
@@ -9,7 +8,6 @@
 #include "model/fanuc/cutter_compensation_b/rules.h"
 #include "model/fanuc/passes/passes.h"
 #include "model/geometry/plane_vector.h"
-#include "spec/language/setup.h"
 
 namespace toolcomp::model {
 namespace {
@@ -105,12 +103,8 @@ class CutterCompensationB : public CutterCompensation {
       // fanuc.cutter-b.kept: A block that has no axis word of the plane and is not an arc keeps the vector, whatever
       // else it moves. I, J and K in it mean nothing.
       recorder().reach(Clause::fanuc_cutter_b_kept);
-      keep(step);
     }
-  }
-
-  void keep(Step& step) const {
-    for (Move& move : step.moves) move.offset = in_space(step.words.cutter->plane, vector_);
+    for (Move& move : step.moves) move.offset = in_space(block.plane, vector_);
   }
 
   // G40: the vector goes at once, in the block's own move or in one back to the programmed point.
@@ -137,14 +131,12 @@ class CutterCompensationB : public CutterCompensation {
         step.moves.front().leg.cause = spec::Cause::start_up;
       }
     }
-    keep(step);
   }
 
   void arc(Step& step) {
     const CutterBlock& block = *step.words.cutter;
     const PlanePoint from = block.arc->start + vector_;
     vector_ = vector_of_arc(recorder(), block);
-    keep(step);
     spec::Arc<Real>& arc = *step.moves.front().leg.arc;
     run_on(arc, head_to_head(recorder(), arc.direction, from, block.arc->end + vector_));
   }
@@ -158,7 +150,6 @@ class CutterCompensationB : public CutterCompensation {
       step.moves = {step.rest};
       run_on(make_corner_arc(step.moves.front().leg, block, made.direction), made.way);
     }
-    keep(step);
   }
 
   // G53, G28, G30, G29: the vector goes in the first move where an axis of the plane is named.
@@ -170,7 +161,6 @@ class CutterCompensationB : public CutterCompensation {
       vector_ = {};
       started_ = false;
     }
-    keep(step);
   }
 
   OwnedStep taken_;
