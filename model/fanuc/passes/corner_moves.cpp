@@ -53,12 +53,9 @@ void append_corner_moves(Step& step, Standing& tool) {
 void end_at(Move& own, const SpaceVector& head, ToolArcRun* run, Passage passage) {
   own.offset = head.vector;
   if (run == nullptr) return;
-  if (passage == Passage::shortened) {
-    own.leg.type = spec::MoveType::linear;
-    own.leg.arc.reset();
-    return;
-  }
-  run->report(*own.leg.arc);
+  if (passage != Passage::shortened) return run->report(*own.leg.arc);
+  own.leg.type = spec::MoveType::linear;
+  own.leg.arc.reset();
 }
 
 void change_alone(Step& step, spec::Cause cause, bool changes) {
