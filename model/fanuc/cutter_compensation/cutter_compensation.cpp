@@ -12,12 +12,6 @@ std::optional<CutterSide> side_of(Compensation code) {
   return code == Compensation::left ? CutterSide::left : CutterSide::right;
 }
 
-// I J (K I, J K), whatever they mean in the block.
-bool has_center_letter(const Command& command) {
-  const PlaneLetters in_plane = letters(command.plane);
-  return command.direction && (command.words.has(in_plane.first_center) || command.words.has(in_plane.second_center));
-}
-
 PlaneMotion motion_of(const CutterBlock& block, const std::vector<Leg>& legs) {
   if (legs.empty()) return PlaneMotion::none;
   if (is_reference_return(block.one_shot)) return PlaneMotion::reference;
@@ -29,21 +23,18 @@ PlaneMotion motion_of(const CutterBlock& block, const std::vector<Leg>& legs) {
   return travels ? PlaneMotion::line : PlaneMotion::zero_travel;
 }
 
-std::optional<PlanePoint> direction_of(const Command& command, const Interpreter& interpreter, const spec::Axes& axes) {
-  const PlaneLetters in_plane = letters(command.plane);
-  const bool corner_arc = command.codes.one_shot == OneShot::corner_arc;
-  if (has_center_letter(command) && (corner_arc || !command.is_arc_motion())) {
+std::optional<PlanePoint> direction_of(const CutterBlock& block, const BlockWords& now) {
+  const bool corner_arc = block.one_shot == OneShot::corner_arc;
+  if (block.direction_letters && (corner_arc || !now.command.is_arc_motion())) {
     const auto component = [&](char letter) {
-      const spec::Decimal* const word = command.words.find(letter);
-      return word == nullptr ? Rational(0) : interpreter.numbers().length(*word);
+      const spec::Decimal* const word = now.command.words.find(letter);
+      return word == nullptr ? Rational(0) : now.interpreter.numbers().length(*word);
     };
-    return PlanePoint{component(in_plane.first_center), component(in_plane.second_center)};
+    return PlanePoint{component(letters(block.plane).first_center), component(letters(block.plane).second_center)};
   }
-  if (!corner_arc || !(command.names(axes, in_plane.first) || command.names(axes, in_plane.second)))
-    return std::nullopt;
+  if (!corner_arc || !block.has_plane_word()) return std::nullopt;
   // G39: the axis words are a point in the direction, and nothing moves there.
-  const Vector travel = interpreter.toward(command).travel;
-  return in_plane_of(command.plane, travel);
+  return in_plane_of(block.plane, now.interpreter.toward(now.command).travel);
 }
 
 PlanePoint point(spec::Plane plane, const Leg& leg, const spec::Axes& axes) {
@@ -68,11 +59,13 @@ void CutterCompensation::read(const BlockWords& now, StepWords& words) {
   words.cutter = block;
   block->plane = command.plane;
   block->one_shot = one_shot;
-  block->direction = direction_of(command, now.interpreter, setup().axes);
   const PlaneLetters in_plane = letters(command.plane);
   block->word = {command.names(setup().axes, in_plane.first), command.names(setup().axes, in_plane.second)};
   block->axis_word = command.axes != 0;
-  block->direction_letters = has_center_letter(command);
+  // Whatever they mean in the block.
+  block->direction_letters =
+      command.direction && (command.words.has(in_plane.first_center) || command.words.has(in_plane.second_center));
+  block->direction = direction_of(*block, now);
   check_common(*block, command);
   check(*block, command);
   words_.add_value(*block);
