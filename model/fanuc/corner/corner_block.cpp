@@ -22,10 +22,6 @@ CutterSide CornerWords::side_after(const Command& command) const {
   return code ? side_of_(*code).value_or(CutterSide::none) : side_;
 }
 
-std::uint32_t CornerWords::number_after(const Command& command) const {
-  return offset_.number_after(command.codes).number;
-}
-
 bool CornerWords::read(const BlockWords& now, bool starts, bool by_motion, CornerBlock& block) {
   const Command& command = now.command;
   const Codes& codes = command.codes;

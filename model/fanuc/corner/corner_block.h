@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "model/fanuc/corner/offset_path.h"
+#include "model/fanuc/corner/corner.h"
 #include "model/fanuc/program/offset_in_force.h"
 #include "model/fanuc/program/pass.h"
 
@@ -59,7 +59,9 @@ class CornerWords {
 
   // In force at the end of a block, which is read next or has been read last: the side, and the number.
   [[nodiscard]] CutterSide side_after(const Command& command) const;
-  [[nodiscard]] std::uint32_t number_after(const Command& command) const;
+  [[nodiscard]] std::uint32_t number_after(const Command& command) const {
+    return offset_.number_after(command.codes).number;
+  }
 
   // What the block says, without the value of its number; false before the first words of the section in a program:
   // a side, or what `starts` says. `by_motion`: the block moves by its code of group 01.

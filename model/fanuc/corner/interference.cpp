@@ -16,13 +16,6 @@ Real bound(const PlanePoint& vector) {
   return sum;
 }
 
-bool goes_against(Recorder& recorder, const WayAlong& way) {
-  // fanuc.cutter-c.interference-direction: A straight block interferes if the tool's direction differs from the
-  // programmed one by more than 90 degrees. Exactly 90 degrees, and a tool that does not move, are no interference
-  // (ours).
-  return recorder.decide(Clause::fanuc_cutter_c_interference_direction, way.product, way.scale) == Sign::negative;
-}
-
 bool arc_interferes(Recorder& recorder, const CheckedPath& path, ToolArcRun& run) {
   // fanuc.cutter-c.interference-radius: An arc block interferes, in the pair q = 0, if the offset is larger than its
   // radius at either end. At the start this is R' < 0 with |P - O| and the rho of the corner there; at the end it is R'
@@ -128,10 +121,14 @@ void ToolArcRun::report(spec::Arc<Real>& arc) {
 }
 
 // The tool's path against the programmed one.
-WayAlong way_along(const OffsetPath& path, const PlanePoint& from, const PlanePoint& to) {
-  const Real length2 = path.is_arc() ? squared_norm(path.travel) : path.start.heading.length2;
-  const Real length = path.is_arc() ? sqrt(length2) : path.start.heading.length;
-  return {length2 + dot(path.travel, to - from), length * (length + bound(from) + bound(to)), length2};
+CheckedPath between_vectors(spec::Plane plane, const OffsetPath& path) {
+  return {path.start, path.end, [&path, plane](const Vector& at_start, const Vector& at_end) -> WayAlong {
+            const Heading chord = path.is_arc() ? heading(path.travel) : path.start.heading;
+            const PlanePoint from = in_plane_of(plane, at_start);
+            const PlanePoint to = in_plane_of(plane, at_end);
+            return {chord.length2 + dot(path.travel, to - from),
+                    chord.length * (chord.length + bound(from) + bound(to)), chord.length2};
+          }};
 }
 
 // fanuc.cutter-c.interference-at-once: With No. 5008 bit 3, CNV, at 1, cutter compensation C on series 30i drops no
@@ -155,7 +152,12 @@ Checked check_interference(Recorder& recorder, const spec::Setup* setup, const C
     to = std::min(q, at_end.size() - 1);
     std::optional<WayAlong> way;  // not of an arc in the first pair
     if (q > 0 || run == nullptr) way = path.along(at_start[from].vector, at_end[to].vector);
-    const bool found = way ? goes_against(recorder, *way) : arc_interferes(recorder, path, *run);
+    // fanuc.cutter-c.interference-direction: A straight block interferes if the tool's direction differs from the
+    // programmed one by more than 90 degrees. Exactly 90 degrees, and a tool that does not move, are no interference
+    // (ours).
+    const Clause direction = Clause::fanuc_cutter_c_interference_direction;
+    const bool found = way ? recorder.decide(direction, way->product, way->scale) == Sign::negative
+                           : arc_interferes(recorder, path, *run);
     if (q == 0 && found && setup != nullptr)
       recorder.decide(Clause::fanuc_cutter_c_interference_at_once, keeps_vectors);
     // fanuc.cutter-c.interference-pairs: The check tests pairs of a vector at the start and a vector at the end of the

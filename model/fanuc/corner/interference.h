@@ -88,8 +88,8 @@ struct CheckedPath {
   // As a line, between two vectors.
   std::function<WayAlong(const Vector& from, const Vector& to)> along;
 };
-// In a plane, between the vectors there.
-WayAlong way_along(const OffsetPath& path, const PlanePoint& from, const PlanePoint& to);
+// In a plane of G17, G18 or G19. Refers to the path.
+CheckedPath between_vectors(spec::Plane plane, const OffsetPath& path);
 
 // Drops vectors, the last ones at the start and the first ones at the end of a block, until it does not interfere; at
 // each end one vector stays. `setup`: where parameters concern the section. `run`: of an arc, between the inner

@@ -29,7 +29,7 @@ std::optional<VectorGroup> offset_mode(Recorder& recorder, const PathEnd& former
   if (kind != CornerClass::inner) {
     recorder.reach(kind == CornerClass::obtuse ? Clause::fanuc_cutter_c_outer_obtuse
                                                : Clause::fanuc_cutter_c_outer_acute);
-    return way_round(kind, former, latter, former.is_arc(), latter.is_arc());
+    return way_round(kind, tangent(former), tangent(latter), former.is_arc(), latter.is_arc());
   }
   // fanuc.cutter-c.inner-lines: At an inner corner of two lines the group is the intersection of the offset lines,
   // however long the vector is.

@@ -13,7 +13,6 @@
 #include "model/fanuc/passes/passes.h"
 #include "model/fanuc/passes/window.h"
 #include "model/geometry/arc.h"
-#include "spec/language/setup.h"
 
 namespace toolcomp::model {
 namespace {
@@ -31,12 +30,9 @@ CornerVector in_plane(spec::Plane plane, const SpaceVector& v) {
 class CutterCompensationC final : public CutterCompensation {
  public:
   explicit CutterCompensationC(const Place& place)
-      : CutterCompensation(place, true),
-        idle_limit_(blocks_read(place.setup) - 1),
-        rules_(place.setup, place.recorder),
-        mode_(place.setup, place.recorder, idle_limit_) {}
+      : CutterCompensation(place, true), rules_(place.setup, place.recorder), mode_(place.setup, place.recorder) {}
 
-  [[nodiscard]] int look_ahead() const override { return idle_limit_; }
+  [[nodiscard]] int look_ahead() const override { return mode_.idle_limit; }
   [[nodiscard]] bool on() const override { return mode_.is_on_or_asked_for(); }
   void take(OwnedStep step) override {
     CutterPlan plan = mode_.next(*step, waiting());
@@ -130,7 +126,7 @@ class CutterCompensationC final : public CutterCompensation {
       if (b.plan.part != CutterPart::idle && b.plan.part != CutterPart::lone_start)
         return Ahead{.why = Clause::fanuc_cutter_c_no_next_block};
       count += b.plan.count;
-      if (count >= idle_limit_ || b.plan.part == CutterPart::lone_start)
+      if (count >= mode_.idle_limit || b.plan.part == CutterPart::lone_start)
         return Ahead{.why = Clause::fanuc_cutter_c_two_non_motion_blocks};
     }
     if (!window_.ended()) return std::nullopt;
@@ -181,14 +177,12 @@ class CutterCompensationC final : public CutterCompensation {
     std::optional<ToolArcRun> run;
     if (path.is_arc())
       run.emplace(recorder(), path, in_plane(plane, tool_.heads.back()), in_plane(plane, at_end.front()));
-    const CheckedPath between_vectors{path.start, path.end, [&](const Vector& from, const Vector& to) {
-                                        return way_along(path, in_plane_of(plane, from), in_plane_of(plane, to));
-                                      }};
     Checked checked;
     // fanuc.cutter-c.interference-check: No. 5008 bit 0, CNI, switches the interference check: 0 checks, 1 does not.
     if (a.plan.part == CutterPart::moving && a.plan.to_check && ahead.why != Clause::fanuc_cutter_c_coordinate_shift &&
         recorder().decide(Clause::fanuc_cutter_c_interference_check, !setup().bit(5008, 0)))
-      checked = check_interference(recorder(), &setup(), between_vectors, tool_.heads, at_end, run ? &*run : nullptr);
+      checked = check_interference(recorder(), &setup(), between_vectors(plane, path), tool_.heads, at_end,
+                                   run ? &*run : nullptr);
     // fanuc.cutter-c.interference-alarm: Interference of the last pair, or of the only pair, raises PS0041 (except in
     // fanuc.cutter-c.interference-without-alarm). The alarm names the block. Neither the block nor its corner moves are
     // given; the block before it runs to the first head of its own group.
@@ -218,29 +212,20 @@ class CutterCompensationC final : public CutterCompensation {
       return in_space(plane, square_to(recorder(), a.plan.path.end));
     }
     recorder().decide(Clause::fanuc_cutter_c_one_non_motion_block, ahead.between);
-    return in_space(plane, corner_group(a, *ahead.next, ahead.repeated));
+    return in_space(plane, corner_group(a, ahead.next->plan, ahead.repeated));
   }
 
-  [[nodiscard]] VectorGroup corner_group(const Planned& a, const Planned& b, bool repeated) {
-    const CutterBlock& next = block_of(b);
-    const bool directed = next.says_cancel() && next.direction && !is_zero(*next.direction);
-    const CutterCorner corner{.former = a.plan.path.end,
-                              .latter = b.plan.path,
-                              .starts = a.plan.part == CutterPart::start_up,
-                              .side_changes = a.plan.offset.side != b.plan.offset.side,
-                              .repeated = repeated,
-                              .cancels = b.plan.part == CutterPart::cancel,
-                              .direction = directed ? next.direction : std::nullopt};
+  [[nodiscard]] VectorGroup corner_group(const Planned& a, const CutterPlan& b, bool repeated) {
     // fanuc.cutter-c.value-at-a-corner: A new number or value counts for the vectors at the end of the moving block
     // that has it, or, if that block does not move, at the end of the next moving block.
-    if (!corner.cancels)
-      recorder().decide(Clause::fanuc_cutter_c_value_at_a_corner, b.plan.offset.value != a.plan.offset.value);
-    auto group = rules_.by_first_rule(corner);
+    if (b.part != CutterPart::cancel)
+      recorder().decide(Clause::fanuc_cutter_c_value_at_a_corner, b.offset.value != a.plan.offset.value);
+    auto group = rules_.by_first_rule(a.plan, b, repeated);
     // fanuc.cutter-c.no-intersection: An inner corner with an arc and R' >= 0 whose offset paths do not meet raises
     // PS0033. The alarm names A. Neither A nor a corner move of A is given, and the blocks before A are given as
     // computed with A present.
     if (!group) raise_at(a, Clause::fanuc_cutter_c_no_intersection, AlarmCause::no_intersection, {});
-    rules_.drop_small_movements(*group, corner.latter);
+    rules_.drop_small_movements(*group, b.path);
     // fanuc.cutter-c.corner-movement: Block A ends at the first head of the group, and the straight moves between the
     // heads belong to B. These moves have the cause corner. They are rapid if G00 is in force in B, otherwise linear.
     // They have B's feed; tool direction, length offset and other axes are as before B. They carry no machine
@@ -377,7 +362,6 @@ class CutterCompensationC final : public CutterCompensation {
   // G53, G28, G30, G30.1 and G29 of the plane: the vector goes in the first move, or after the intermediate point.
   void machine_move(Planned& now) {
     const CutterBlock& block = block_of(now);
-    const bool reference = block.motion == PlaneMotion::reference;
     std::vector<Move>& moves = now.step->moves;
     if (now.plan.part == CutterPart::vector_goes) {
       // fanuc.cutter-c.reference-return: If CCN = 0, if G40 or number 0 is in force, or after a lone G40, the block
@@ -385,7 +369,8 @@ class CutterCompensationC final : public CutterCompensation {
       // point.
       // fanuc.cutter-c.machine-position: With G53 and an axis word of the plane under G90 while the mode is on, the
       // vector vanishes in the G53 move (cause programmed). With G29 it vanishes likewise, at the intermediate point.
-      recorder().reach(reference ? Clause::fanuc_cutter_c_reference_return : Clause::fanuc_cutter_c_machine_position);
+      recorder().reach(block.motion == PlaneMotion::reference ? Clause::fanuc_cutter_c_reference_return
+                                                              : Clause::fanuc_cutter_c_machine_position);
     } else if (now.plan.part == CutterPart::way_to_intermediate) {
       moves.front().offset = in_space(block.plane, perpendicular(now.plan.path.end));
       insert_corner_moves(*now.step, block, tool_);
@@ -405,7 +390,6 @@ class CutterCompensationC final : public CutterCompensation {
     throw geometry_alarm(*now.step, setup().axes, cause, crossing);
   }
 
-  int idle_limit_;
   CutterRules rules_;
   CutterMode mode_;
   Window<Planned> window_;

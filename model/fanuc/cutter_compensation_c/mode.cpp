@@ -17,9 +17,6 @@ OffsetPath path_of(const CutterBlock& block, const CutterOffset& own, const Rati
 
 }  // namespace
 
-CutterMode::CutterMode(const spec::Setup& setup, Recorder& recorder, int idle_limit)
-    : CornerMode(setup, recorder), idle_limit_(idle_limit) {}
-
 CutterPlan CutterMode::next(const Step& step, const std::optional<Waiting>& waiting) {
   const CutterBlock& block = *step.words.cutter;
   waiting_ = waiting;
@@ -122,9 +119,9 @@ CutterPlan CutterMode::without_motion(const CutterBlock& block) {
   // fanuc.cutter-c.non-motion-count: Between two moving blocks, every block that does not move in the plane counts one:
   // M, S, T, F, G04, G10, other G codes, axes outside the plane, D or H alone, O alone, G41 or G42 alone.
   plan.count = recorder_.decide(Clause::fanuc_cutter_c_non_motion_count, block.motion == PlaneMotion::zero_travel)
-                   ? idle_limit_
+                   ? idle_limit
                    : 1;
-  if (waiting_->count + plan.count < idle_limit_) return plan;
+  if (waiting_->count + plan.count < idle_limit) return plan;
   const bool restarts = is_pending() && block.says_side();
   nothing_follows();
   // The look-ahead ends here without a moving block; the code has one of its own.
@@ -135,6 +132,7 @@ CutterPlan CutterMode::cancel(const CutterBlock& block) {
   const bool moves = block.motion != PlaneMotion::zero_travel;
   CutterPlan plan = of_part(moves ? CutterPart::cancel : CutterPart::cancel_by_zero_travel);
   if (moves) plan.path = path_of(block, last_, last_.distance);
+  if (block.says_cancel() && block.direction && !is_zero(*block.direction)) plan.direction = block.direction;
   phase_ = Phase::off;
   return plan;
 }

@@ -28,20 +28,25 @@ enum class CutterPart : std::uint8_t {
 
 struct CutterPlan {
   CutterPart part = CutterPart::free;
-  CutterOffset offset;     // at its end: of the last block that moved
-  OffsetPath path;         // of a start-up block, and of those with *
-  int count = 0;           // idle: as how many blocks without motion
-  bool to_check = true;    // for interference
-  bool changes = false;    // lone_start, lone_cancel: the vector that is made or removed is not 0
-  bool shifts = false;     // G52 or G92 of the plane takes the vector away before
-  bool after_leg = false;  // shifts: a moving block waits for its corner
-  bool stops = false;      // nothing is read beyond this block before it has run
+  CutterOffset offset;                       // at its end: of the last block that moved
+  OffsetPath path = {};                      // of a start-up block, and of those with *
+  int count = 0;                             // idle: as how many blocks without motion
+  bool to_check = true;                      // for interference
+  bool changes = false;                      // lone_start, lone_cancel: the vector that is made or removed is not 0
+  bool shifts = false;                       // G52 or G92 of the plane takes the vector away before
+  bool after_leg = false;                    // shifts: a moving block waits for its corner
+  bool stops = false;                        // nothing is read beyond this block before it has run
+  std::optional<PlanePoint> direction = {};  // cancel: of the I J of its G40, not zero
 };
 
 // Follows the mode through the program. Clauses: fanuc.cutter-c.*.
 class CutterMode : public CornerMode {
  public:
-  CutterMode(const spec::Setup& setup, Recorder& recorder, int idle_limit);
+  CutterMode(const spec::Setup& setup, Recorder& recorder)
+      : CornerMode(setup, recorder), idle_limit(blocks_read(setup) - 1) {}
+
+  // So many blocks without motion end the look-ahead.
+  const int idle_limit;
 
   // The block that waits for the next one that moves. The words of a block are read before its moves are made.
   struct Waiting {
@@ -54,7 +59,7 @@ class CutterMode : public CornerMode {
  private:
   CutterPlan while_off(const CutterBlock& block);
   CutterPlan while_on(const CutterBlock& block, const Step& step);
-  [[nodiscard]] CutterPlan of_part(CutterPart part) const { return {.part = part, .offset = last_, .path = {}}; }
+  [[nodiscard]] CutterPlan of_part(CutterPart part) const { return {.part = part, .offset = last_}; }
   // A block of the offset mode.
   CutterPlan in_mode(CutterPart part, const CutterBlock& block);
   CutterPlan moving(const CutterBlock& block, const Step& step);
@@ -66,8 +71,6 @@ class CutterMode : public CornerMode {
   bool take_vector_away();
   // What waits makes no corner.
   void nothing_follows();
-
-  int idle_limit_;
 
   std::optional<Waiting> waiting_;  // while a block is planned
 };

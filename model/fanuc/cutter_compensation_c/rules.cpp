@@ -10,33 +10,34 @@ namespace toolcomp::model {
 // fanuc.cutter-c.which-rule: The group between A and B is made by the first of these rules that applies: r = 0; change
 // of direction (rhoA = -rhoB and B is not a cancel block; after a start-up block this is an alarm); G41 or G42
 // repeated; cancel with I J; cancel; start-up; corner of the offset mode.
-std::optional<VectorGroup> CutterRules::by_first_rule(const CutterCorner& corner) const {
-  const PathEnd& former = corner.former;
-  const PathEnd& latter = corner.latter.start;
+std::optional<VectorGroup> CutterRules::by_first_rule(const CutterPlan& a, const CutterPlan& b, bool repeated) const {
+  const PathEnd& former = a.path.end;
+  const PathEnd& latter = b.path.start;
+  const bool cancels = b.part == CutterPart::cancel;
   if (former.offset == 0) return square_to(recorder_, former);
   // fanuc.cutter-c.direction-change: If the side changes from A to B (G41 to G42 or back, or the sign of the value),
   // inner and outer corners are not told apart. If the offset paths of A and B have an intersection, the group is the
   // vector to it; if not, it is the vector perpendicular to B. A change of code in a block that does not move in the
   // plane counts in the next moving block.
-  if (!corner.cancels && recorder_.decide(Clause::fanuc_cutter_c_direction_change, corner.side_changes))
+  if (!cancels && recorder_.decide(Clause::fanuc_cutter_c_direction_change, a.offset.side != b.offset.side))
     return direction_change(recorder_, former, latter);
   // fanuc.cutter-c.repeated: If block B, or a block between A and B, has a word G41 or G42 equal to the code in force
   // before it, the group is P1 of A, at inner and outer corners alike. B starts from that vector. A may be the start-up
   // block, and B may be the cancel block. The rule does not apply while the mode is off, nor to the B of
   // fanuc.cutter-c.start-without-motion.
-  if (corner.repeated) {
+  if (repeated) {
     recorder_.reach(Clause::fanuc_cutter_c_repeated);
     return square_to(recorder_, former);
   }
-  if (corner.cancels) {
+  if (cancels) {
     // fanuc.cutter-c.cancel-direction: In a cancel block with the word G40, the letters of the plane among I J K give a
     // direction (I J in G17, K I in G18, J K in G19; a missing letter is 0). A line from A's end in that direction is
     // offset to A's side. The group is the intersection of A's offset path with that offset line, at inner and outer
     // corners alike. The letter outside the plane, and letters without the word G40, mean nothing.
-    const bool directed = recorder_.decide(Clause::fanuc_cutter_c_cancel_direction, corner.direction.has_value());
-    if (directed) return cancel_along(former, *corner.direction);
+    const bool directed = recorder_.decide(Clause::fanuc_cutter_c_cancel_direction, b.direction.has_value());
+    if (directed) return cancel_along(former, *b.direction);
   }
-  if (corner.cancels || corner.starts) return start_or_cancel(former, latter, corner.cancels);
+  if (cancels || a.part == CutterPart::start_up) return start_or_cancel(former, latter, cancels);
   return offset_mode(recorder_, former, latter);
 }
 
@@ -76,7 +77,7 @@ VectorGroup CutterRules::start_or_cancel(const PathEnd& former, const PathEnd& l
     recorder_.reach(cancels ? Clause::fanuc_cutter_c_cancel_obtuse : Clause::fanuc_cutter_c_start_up_obtuse);
   else
     recorder_.reach(cancels ? Clause::fanuc_cutter_c_cancel_acute : Clause::fanuc_cutter_c_start_up_acute);
-  return way_round(kind, former, latter, !cancels || former.is_arc(), cancels || latter.is_arc());
+  return way_round(kind, tangent(former), tangent(latter), !cancels || former.is_arc(), cancels || latter.is_arc());
 }
 
 // fanuc.cutter-c.cancel-direction-parallel: If the direction given with G40 makes no intersection (it is parallel to

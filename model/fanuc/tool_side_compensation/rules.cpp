@@ -110,7 +110,8 @@ SideGroup SideRules::start_or_cancel(const SideCorner& corner, bool cancels) con
   const bool with_former = cancels ? corner.former.arc.has_value() : own;
   const bool with_latter = cancels ? own : corner.latter.arc.has_value();
   if (lines) return way_round(kind, *lines, with_former, with_latter);
-  return framed->lifted(model::way_round(kind, framed->former, framed->latter, with_former, with_latter));
+  return framed->lifted(
+      model::way_round(kind, tangent(framed->former), tangent(framed->latter), with_former, with_latter));
 }
 
 // fanuc.tool-side.which-rule: The group between A and B is made by the first of these rules that applies: r = 0

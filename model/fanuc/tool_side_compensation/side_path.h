@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "model/fanuc/corner/offset_path.h"
+#include "model/fanuc/corner/corner.h"
 #include "model/fanuc/tool_side_compensation/compensation_plane.h"
 #include "spec/language/event.h"
 

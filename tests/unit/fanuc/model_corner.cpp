@@ -193,11 +193,8 @@ TEST_F(ModelCorner, Interference) {
     const spec::Plane plane = spec::Plane::xy;
     SpaceGroup at_start = in_space(plane, start);
     SpaceGroup at_end = in_space(plane, end);
-    CheckedPath checked;
-    checked.along = [&](const Vector& from, const Vector& to) {
-      return way_along(path, in_plane_of(plane, from), in_plane_of(plane, to));
-    };
-    const Passage passage = check_interference(recorder, {}, checked, at_start, at_end, nullptr).passage;
+    const CheckedPath checked = between_vectors(plane, path);
+    const Passage passage = check_interference(recorder, nullptr, checked, at_start, at_end, nullptr).passage;
     const char* const name = passage == Passage::free        ? "free "
                              : passage == Passage::shortened ? "shortened "
                                                              : "blocked ";
