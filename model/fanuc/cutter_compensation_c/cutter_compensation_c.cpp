@@ -61,11 +61,10 @@ class CutterCompensationC final : public CutterCompensation {
 
   void check(const CutterBlock& words, const Command& /*command*/) const override {
     if (words.one_shot == OneShot::corner_arc) check_corner_arc(words);
-    if (!words.arc_words) return;
     // fanuc.cutter-c.start-or-cancel-in-arc: An arc as start-up block or as cancel block raises PS0034. The words of
     // the block tell whether it is an arc: G02 or G03 in force, no code of group 00 in the block (G45 to G48 do not
     // count here), and an axis word of the plane, R, I, J or K in the block.
-    if (mode_.starts(wanted(words)) || mode_.cancels(wanted(words)))
+    if (words.arc_words && (mode_.starts(wanted(words)) || mode_.cancels(wanted(words))))
       raise(recorder(), Clause::fanuc_cutter_c_start_or_cancel_in_arc, AlarmCause::arc_at_start_or_cancel);
   }
 

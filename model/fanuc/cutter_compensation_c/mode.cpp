@@ -72,13 +72,13 @@ CutterPlan CutterMode::while_on(const CutterBlock& block, const Step& step) {
   const bool after_leg = shifts && take_vector_away();
   CutterPlan plan;
   if (is_machine_move(block.motion))
-    plan = machine_move(block);
+    plan = machine_move(block, step);
   else if (!asked_ && (block.moves() || (phase_ == Phase::ending && block.motion == PlaneMotion::zero_travel)))
     plan = cancel(block);
   else if (!asked_)
     plan = phase_ == Phase::ending ? of_part(CutterPart::idle) : lone_cancel();
   else if (block.moves())
-    plan = moving(block, step);
+    plan = in_mode(CutterPart::moving, block, step);
   else if (block.one_shot == OneShot::corner_arc)
     plan = of_part(CutterPart::corner_arc);
   else
@@ -88,19 +88,12 @@ CutterPlan CutterMode::while_on(const CutterBlock& block, const Step& step) {
   return plan;
 }
 
-CutterPlan CutterMode::moving(const CutterBlock& block, const Step& step) {
+CutterPlan CutterMode::in_mode(CutterPart part, const CutterBlock& block, const Step& step) {
   // fanuc.cutter-c.arc-ends-in-center: An arc block with G41 or G42 and a number other than 0 in force raises PS0038 if
   // its centre is its start or its end; both cases are alike. This is an alarm of a command. It comes after the alarms
   // that the words alone raise (PS0034 of a start-up in an arc among them) and after those of the length offset.
   if (block.arc && !step.moves.front().leg.arc->sweep)
     raise(recorder_, Clause::fanuc_cutter_c_arc_ends_in_center, AlarmCause::arc_ends_in_center);
-  CutterPlan plan = in_mode(CutterPart::moving, block);
-  plan.to_check = phase_ != Phase::taken_away;
-  phase_ = Phase::running;
-  return plan;
-}
-
-CutterPlan CutterMode::in_mode(CutterPart part, const CutterBlock& block) {
   const CutterOffset offset = offset_of(recorder_, block.side, block.offset);
   // fanuc.cutter-c.direction-change-at-start-up: The first moving block after a start-up must not change the side; a
   // change raises DIR_CHANGE_AT_STARTUP, a name of ours, at that block. A start-up here is the start-up block, also one
@@ -109,7 +102,9 @@ CutterPlan CutterMode::in_mode(CutterPart part, const CutterBlock& block) {
   if (changes_side_at_start(offset))
     raise(recorder_, Clause::fanuc_cutter_c_direction_change_at_start_up, AlarmCause::side_change_at_start);
   CutterPlan plan{.part = part, .offset = offset, .path = path_of(block, offset, last_.distance)};
+  plan.to_check = phase_ != Phase::taken_away;
   last_ = offset;
+  phase_ = Phase::running;
   return plan;
 }
 
@@ -162,7 +157,7 @@ bool CutterMode::take_vector_away() {
 }
 
 // G53, G28, G30, G30.1, G29: the vector goes, and comes back by parameter 5003#2.
-CutterPlan CutterMode::machine_move(const CutterBlock& block) {
+CutterPlan CutterMode::machine_move(const CutterBlock& block, const Step& step) {
   if (!block.has_plane_word()) {
     if (!asked_ && phase_ != Phase::ending) return lone_cancel();
     nothing_follows();
@@ -179,7 +174,7 @@ CutterPlan CutterMode::machine_move(const CutterBlock& block) {
     const bool travels =
         recorder_.decide(Clause::fanuc_cutter_c_reference_intersection, !is_zero(block.first_end - block.start));
     // After the intermediate point the vector goes.
-    plan = travels ? in_mode(CutterPart::way_to_intermediate, block) : of_part(CutterPart::along_to_intermediate);
+    plan = travels ? in_mode(CutterPart::way_to_intermediate, block, step) : of_part(CutterPart::along_to_intermediate);
   }
   phase_ = goes_on ? Phase::taken_away : Phase::off;
   return plan;

@@ -60,10 +60,9 @@ class CutterMode : public CornerMode {
   CutterPlan while_off(const CutterBlock& block);
   CutterPlan while_on(const CutterBlock& block, const Step& step);
   [[nodiscard]] CutterPlan of_part(CutterPart part) const { return {.part = part, .offset = last_}; }
-  // A block of the offset mode.
-  CutterPlan in_mode(CutterPart part, const CutterBlock& block);
-  CutterPlan moving(const CutterBlock& block, const Step& step);
-  CutterPlan machine_move(const CutterBlock& block);
+  // A block that moves in the mode, or the way to an intermediate point.
+  CutterPlan in_mode(CutterPart part, const CutterBlock& block, const Step& step);
+  CutterPlan machine_move(const CutterBlock& block, const Step& step);
   CutterPlan without_motion(const CutterBlock& block);
   CutterPlan lone_cancel();
   CutterPlan cancel(const CutterBlock& block);
