@@ -27,8 +27,7 @@ bool CornerWords::read(const BlockWords& now, bool starts, bool by_motion, Corne
   const Codes& codes = command.codes;
   block.before = side_;
   block.number_before = offset_.number().number;
-  side_ = side_after(command);
-  block.side = side_;
+  block.side = side_ = side_after(command);
   if (codes.compensation) block.code = side_of_(*codes.compensation);
   block.other_compensation = codes.compensation && !block.code;
   seen_ = seen_ || starts || side_ != CutterSide::none;

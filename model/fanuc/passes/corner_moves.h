@@ -34,6 +34,6 @@ void end_at(Move& own, const SpaceVector& head, ToolArcRun* run, Passage passage
 void change_alone(Step& step, spec::Cause cause, bool changes);
 
 // An alarm of geometry: it names this block. The blocks before it are given as computed with it.
-Alarm geometry_alarm(const Step& step, const spec::Axes& axes, AlarmCause cause, Real crossing = {});
+Alarm geometry_alarm(const Step& step, const spec::Axes& axes, AlarmCause cause, Real crossing);
 
 }  // namespace toolcomp::model
