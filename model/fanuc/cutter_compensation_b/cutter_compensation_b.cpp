@@ -40,18 +40,15 @@ class CutterCompensationB : public CutterCompensation {
  private:
   // Throws Alarm PS0035 or PS0034.
   void check(const CutterBlock& words, const Command& command) const override {
-    if (words.one_shot == OneShot::corner_arc) check_corner_arc(words, command);
-    if (words.arc_words) check_arc(words);
-  }
-
-  void check_corner_arc(const CutterBlock& words, const Command& command) const {
     const bool outside = std::popcount(command.axes) > int{words.word[0]} + int{words.word[1]};
     const bool forbidden = words.code || words.changes_number() || outside;
     // fanuc.cutter-b.corner-arc-format: G39 raises PS0035 while the mode is off or no start-up has been made; with G40,
     // G41, G42 or a word that gives the cutter another number in its block; with an axis word outside the plane; with a
     // direction that is zero or missing.
-    if (!on() || !started_ || forbidden || !words.direction || is_zero(*words.direction))
+    if (words.one_shot == OneShot::corner_arc &&
+        (!on() || !started_ || forbidden || !words.direction || is_zero(*words.direction)))
       raise(recorder(), Clause::fanuc_cutter_b_corner_arc_format, AlarmCause::corner_arc);
+    if (words.arc_words) check_arc(words);
   }
 
   void check_arc(const CutterBlock& words) const {

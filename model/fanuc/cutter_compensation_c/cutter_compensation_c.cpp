@@ -60,7 +60,15 @@ class CutterCompensationC final : public CutterCompensation {
   using Ahead = Window<Planned>::Ahead;
 
   void check(const CutterBlock& words, const Command& /*command*/) const override {
-    if (words.one_shot == OneShot::corner_arc) check_corner_arc(words);
+    // fanuc.cutter-c.corner-arc-alarm: G39 raises PS0035 with G40 or number 0 in force, or after them while a vector
+    // waits for its removal. It raises PS0035 before a moving block has made a vector: before the start-up block, after
+    // a G41 or G42 of SUV = 1, and after G53, G28, G30, G30.1, G29, G52 or G92 of the plane. It raises PS0035 with G41,
+    // G42, an axis word, or a word that gives the cutter another number in its block, and with letters of the plane
+    // that are all 0.
+    if (words.one_shot == OneShot::corner_arc &&
+        (!wanted(words) || !mode_.made_by_move() || words.says_side() || words.axis_word || words.changes_number() ||
+         (words.direction && is_zero(*words.direction))))
+      raise(recorder(), Clause::fanuc_cutter_c_corner_arc_alarm, AlarmCause::corner_arc);
     // fanuc.cutter-c.start-or-cancel-in-arc: An arc as start-up block or as cancel block raises PS0034. The words of
     // the block tell whether it is an arc: G02 or G03 in force, no code of group 00 in the block (G45 to G48 do not
     // count here), and an axis word of the plane, R, I, J or K in the block.
@@ -69,18 +77,6 @@ class CutterCompensationC final : public CutterCompensation {
   }
 
   [[nodiscard]] const CutterBlock& block_of(const Planned& b) const { return *b.step->words.cutter; }
-
-  void check_corner_arc(const CutterBlock& words) const {
-    const bool no_direction = words.direction && is_zero(*words.direction);
-    // fanuc.cutter-c.corner-arc-alarm: G39 raises PS0035 with G40 or number 0 in force, or after them while a vector
-    // waits for its removal. It raises PS0035 before a moving block has made a vector: before the start-up block, after
-    // a G41 or G42 of SUV = 1, and after G53, G28, G30, G30.1, G29, G52 or G92 of the plane. It raises PS0035 with G41,
-    // G42, an axis word, or a word that gives the cutter another number in its block, and with letters of the plane
-    // that are all 0.
-    if (!wanted(words) || !mode_.made_by_move() || words.says_side() || words.axis_word || words.changes_number() ||
-        no_direction)
-      raise(recorder(), Clause::fanuc_cutter_c_corner_arc_alarm, AlarmCause::corner_arc);
-  }
 
   // Nothing but the block that waits, and blocks without motion after it, is here when the next one is planned.
   [[nodiscard]] std::optional<CutterMode::Waiting> waiting() const {
@@ -257,13 +253,10 @@ class CutterCompensationC final : public CutterCompensation {
     // of these comes first: a count of fanuc.cutter-c.two-non-motion-blocks; a case of fanuc.cutter-c.no-next-block,
     // G28 included; a block that stops reading ahead; G52 or G92 of the plane; or a block in which the mode is no
     // longer asked for, also the cancel block.
-    if (ahead.next != nullptr) {
-      recorder().reach(Clause::fanuc_cutter_c_start_without_motion);
-      at_once(now, spec::Cause::start_up);
-      tool_.heads = in_space(block_of(now).plane, {square_to_latter(ahead.next->plan.path.start)});
-    } else {
-      recorder().reach(Clause::fanuc_cutter_c_start_without_next_block);
-    }
+    if (ahead.next == nullptr) return recorder().reach(Clause::fanuc_cutter_c_start_without_next_block);
+    recorder().reach(Clause::fanuc_cutter_c_start_without_motion);
+    at_once(now, spec::Cause::start_up);
+    tool_.heads = in_space(block_of(now).plane, {square_to_latter(ahead.next->plan.path.start)});
   }
 
   // G40 or number 0.
@@ -276,9 +269,7 @@ class CutterCompensationC final : public CutterCompensation {
     // at the programmed point; the cause is cancel.
     recorder().reach(now.plan.part == CutterPart::cancel ? Clause::fanuc_cutter_c_cancel
                                                          : Clause::fanuc_cutter_c_cancel_by_zero_travel);
-    Move& own = now.step->moves.front();
-    own.offset = {};
-    own.leg.cause = spec::Cause::cancel;
+    now.step->moves.front().leg.cause = spec::Cause::cancel;
     insert_corner_moves(*now.step, block_of(now), tool_);
     tool_.stand({});
   }
@@ -329,10 +320,7 @@ class CutterCompensationC final : public CutterCompensation {
     // fanuc.cutter-c.value-zero: If r = 0, the group is the zero vector alone, whatever the corner and No. 5010. There
     // are then no corner moves, not even before an arc of 180 degrees or more. A start-up and a cancel with r = 0 keep
     // their causes.
-    if (offset == 0) {
-      recorder().reach(Clause::fanuc_cutter_c_value_zero);
-      return;
-    }
+    if (offset == 0) return recorder().reach(Clause::fanuc_cutter_c_value_zero);
     const bool clockwise = offset > 0;
     const Real left_turn = cross(here_.along, to.along);
     const Real cosine = dot(here_.along, to.along);
