@@ -14,9 +14,6 @@ ArcEnds arc_of(const Leg& leg, const std::optional<Rational>& radius, const spec
   return {end - in_plane_of(arc.plane, leg.travel), end, turn, radius, !arc.radius};
 }
 
-CornerWords::CornerWords(const Pass::Place& place, std::optional<CutterSide> (*side_of)(Compensation))
-    : side_of_(side_of), offset_(place.setup, place.memory, place.recorder), axes_(place.setup.axes) {}
-
 CutterSide CornerWords::side_after(const Command& command) const {
   const auto& code = command.codes.compensation;
   return code ? side_of_(*code).value_or(CutterSide::none) : side_;

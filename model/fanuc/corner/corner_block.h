@@ -55,7 +55,8 @@ ArcEnds arc_of(const Leg& leg, const std::optional<Rational>& radius, const spec
 class CornerWords {
  public:
   // `side_of`: of a code of the section, G40 among them.
-  CornerWords(const Pass::Place& place, std::optional<CutterSide> (*side_of)(Compensation));
+  CornerWords(const Pass::Place& place, std::optional<CutterSide> (*side_of)(Compensation))
+      : side_of_(side_of), offset_(place.setup, place.memory, place.recorder), axes_(place.setup.axes) {}
 
   // In force at the end of a block, which is read next or has been read last: the side, and the number.
   [[nodiscard]] CutterSide side_after(const Command& command) const;
