@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/fanuc/cutter_compensation/cutter_compensation.h"
 
+#include <memory>
+#include <utility>
+
 #include "model/basis/alarm.h"
 
 namespace toolcomp::model {
@@ -83,17 +86,14 @@ void CutterCompensation::see(const BlockWay& way, StepWords& words) const {
   if (block.motion == PlaneMotion::arc) block.arc = arc_of(legs.front(), block.radius, setup().axes);
 }
 
-spec::Arc<Real>& CutterCompensation::make_corner_arc(Leg& leg, const CutterBlock& block,
-                                                     spec::ArcDirection direction) const {
-  leg.type = spec::MoveType::arc;
-  leg.cause = spec::Cause::corner;
-  spec::Arc<Real>& arc = leg.arc.emplace();
-  arc.plane = block.plane;
-  arc.direction = direction;
+void CutterCompensation::make_corner_arc(Leg& leg, const CutterBlock& block, spec::Arc<Real> arc) const {
   const PlaneLetters in_plane = letters(block.plane);
   arc.center.set(setup().axes.index(in_plane.first), block.start[0]);
   arc.center.set(setup().axes.index(in_plane.second), block.start[1]);
-  return arc;
+  arc.plane = block.plane;
+  leg.type = spec::MoveType::arc;
+  leg.cause = spec::Cause::corner;
+  leg.arc = std::move(arc);
 }
 
 void CutterCompensation::check_common(const CutterBlock& words, const Command& command) const {

@@ -68,8 +68,8 @@ class CutterCompensation : public Pass {
   // The alarms that the words of a block raise, behind those that B and C share, before its movement and the value of
   // its number are known.
   virtual void check(const CutterBlock& words, const Command& command) const = 0;
-  // Makes the move of G39 an arc about the programmed point. Its sweep and radii are still to be set.
-  spec::Arc<Real>& make_corner_arc(Leg& leg, const CutterBlock& block, spec::ArcDirection direction) const;
+  // Makes the move of G39 this arc about the programmed point. It has its direction, sweep and radii.
+  void make_corner_arc(Leg& leg, const CutterBlock& block, spec::Arc<Real> arc) const;
 
  private:
   // Throws Alarm PS0028, PS0037, FORBIDDEN_IN_CUTTER_COMPENSATION or PS0042.

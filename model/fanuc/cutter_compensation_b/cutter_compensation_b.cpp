@@ -12,12 +12,6 @@
 namespace toolcomp::model {
 namespace {
 
-// Sweep and radii of the tool's own arc.
-void run_on(spec::Arc<Real>& arc, const HeadArc& way) {
-  arc.sweep = way.sweep;
-  arc.radius = way.radius;
-}
-
 // Every block by itself, without look-ahead: the tool goes from head to head. Clauses: fanuc.cutter-b.*.
 class CutterCompensationB : public CutterCompensation {
  public:
@@ -134,8 +128,7 @@ class CutterCompensationB : public CutterCompensation {
     const CutterBlock& block = *step.words.cutter;
     const PlanePoint from = block.arc->start + vector_;
     vector_ = vector_of_arc(recorder(), block);
-    spec::Arc<Real>& arc = *step.moves.front().leg.arc;
-    run_on(arc, head_to_head(recorder(), arc.direction, from, block.arc->end + vector_));
+    head_to_head(recorder(), *step.moves.front().leg.arc, from, block.arc->end + vector_);
   }
 
   // G39: about the programmed point, from the old vector to the new one.
@@ -145,7 +138,7 @@ class CutterCompensationB : public CutterCompensation {
     vector_ = made.vector;
     if (made.moves) {
       step.moves = {step.rest};
-      run_on(make_corner_arc(step.moves.front().leg, block, made.direction), made.way);
+      make_corner_arc(step.moves.front().leg, block, made.arc);
     }
   }
 

@@ -69,8 +69,10 @@ PlanePoint vector_of_arc(Recorder& recorder, const CutterBlock& block) {
 // fanuc.cutter-b.arc-sweep: The sweep of the tool's arc (G39's arc included) is the angle from the old head to the new
 // one about the centre, in the direction of the arc, over 0 and up to 360 degrees. If both heads are on one ray, it is
 // a whole turn. The arc never makes more than one turn. If a head is in the centre, no sweep can be stated.
-HeadArc head_to_head(Recorder& recorder, spec::ArcDirection direction, const PlanePoint& from, const PlanePoint& to) {
-  HeadArc way;
+bool head_to_head(Recorder& recorder, spec::Arc<Real>& arc, const PlanePoint& from, const PlanePoint& to) {
+  arc.sweep.reset();
+  arc.radius.reset();
+  bool one_head = false;
   const Real from2 = squared_norm(from);
   const Real to2 = squared_norm(to);
   const bool in_center = from2.sign() == Sign::zero || to2.sign() == Sign::zero;
@@ -78,19 +80,19 @@ HeadArc head_to_head(Recorder& recorder, spec::ArcDirection direction, const Pla
   // an arc that is cut inside), no sweep can be stated.
   if (!recorder.decide(Clause::fanuc_cutter_b_arc_head_in_center, in_center)) {
     const Real left_turn = cross(from, to);
-    const Real sine = direction == spec::ArcDirection::ccw ? left_turn : -left_turn;
+    const Real sine = arc.direction == spec::ArcDirection::ccw ? left_turn : -left_turn;
     const Sign side = recorder.decide(Clause::fanuc_cutter_b_arc_sweep, sine, sqrt(from2 * to2));
     const Real cosine = dot(from, to);
-    way.sweep = swept_angle(sine, cosine, side);
-    way.one_head = side == Sign::zero && cosine.sign() == Sign::positive;
+    arc.sweep = swept_angle(sine, cosine, side);
+    one_head = side == Sign::zero && cosine.sign() == Sign::positive;
   }
   // fanuc.cutter-b.arc-radii: If the heads have different distances from the centre, the radius of the tool's arc grows
   // or shrinks evenly with the angle, and the event holds both radii.
   if (recorder.decide(Clause::fanuc_cutter_b_arc_radii, to2 - from2, to2 + from2) != Sign::zero) {
-    way.radius = {sqrt(from2), sqrt(to2)};
-    way.one_head = false;
+    arc.radius = {sqrt(from2), sqrt(to2)};
+    one_head = false;
   }
-  return way;
+  return one_head;
 }
 
 // fanuc.cutter-b.cancel: G40 removes the vector at once. The block's own move goes from the old head to the programmed
@@ -126,13 +128,13 @@ CornerArcOfB corner_arc_of_b(Recorder& recorder, const CutterBlock& block, const
   // fanuc.cutter-b.corner-arc-sense: The arc of G39 runs clockwise under G41 and counter-clockwise under G42. A
   // negative offset value reverses the sense, and a value of 0 counts as not positive (both our definition).
   const bool clockwise = recorder.decide(Clause::fanuc_cutter_b_corner_arc_sense, length > 0);
-  result.direction = clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
+  result.arc.direction = clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
   const bool no_vector = is_zero(before) && is_zero(result.vector);
-  if (!no_vector) result.way = head_to_head(recorder, result.direction, before, result.vector);
+  const bool one_head = no_vector || head_to_head(recorder, result.arc, before, result.vector);
   // fanuc.cutter-b.corner-arc-none: If the new vector equals the old one, G39 makes no move, even if the block has axis
   // words. The vectors are equal only if both direction and length are: fanuc.cutter-b.arc-sweep and
   // fanuc.cutter-b.arc-radii are both ties and the heads are on one ray, or both vectors are zero.
-  result.moves = !recorder.decide(Clause::fanuc_cutter_b_corner_arc_none, no_vector || result.way.one_head);
+  result.moves = !recorder.decide(Clause::fanuc_cutter_b_corner_arc_none, one_head);
   return result;
 }
 

@@ -5,24 +5,15 @@
 
 #include <cstdint>
 #include <optional>
-#include <utility>
 
 #include "model/fanuc/cutter_compensation/cutter_compensation.h"
 
 namespace toolcomp::model {
 
-// The way of the tool on an arc from head to head, each counted from the centre.
-struct HeadArc {
-  std::optional<Real> sweep;                    // degrees; absent where a head lies in the centre
-  std::optional<std::pair<Real, Real>> radius;  // at start and end, where they differ
-  bool one_head = false;                        // the heads are one
-};
-
 // What G39 does.
 struct CornerArcOfB {
-  PlanePoint vector;  // from there on
-  spec::ArcDirection direction = spec::ArcDirection::cw;
-  HeadArc way;
+  PlanePoint vector;    // from there on
+  spec::Arc<Real> arc;  // but for its plane and centre
   bool moves = true;
 };
 
@@ -39,7 +30,8 @@ enum class Removal : std::uint8_t {
 std::optional<PlanePoint> vector_of_line(Recorder& recorder, const CutterBlock& block);
 // At the end of an arc. Throws Alarm PS0038.
 PlanePoint vector_of_arc(Recorder& recorder, const CutterBlock& block);
-HeadArc head_to_head(Recorder& recorder, spec::ArcDirection direction, const PlanePoint& from, const PlanePoint& to);
+// Sweep and radii of the tool's own arc, from head to head, each counted from the centre. Whether the heads are one.
+bool head_to_head(Recorder& recorder, spec::Arc<Real>& arc, const PlanePoint& from, const PlanePoint& to);
 // `started`: the start-up is made.
 Removal removal(Recorder& recorder, const CutterBlock& block, bool started, const PlanePoint& vector);
 CornerArcOfB corner_arc_of_b(Recorder& recorder, const CutterBlock& block, const PlanePoint& before);

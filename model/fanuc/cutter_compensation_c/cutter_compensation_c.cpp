@@ -332,8 +332,10 @@ class CutterCompensationC final : public CutterCompensation {
     const CutterBlock& block = block_of(now);
     if (side != Sign::zero || cosine.sign() != Sign::positive) {
       if (now.step->moves.empty()) now.step->moves.push_back(now.step->rest);
-      const spec::ArcDirection direction = clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
-      make_corner_arc(now.step->moves.front().leg, block, direction).sweep = swept_angle(sine, cosine, side);
+      spec::Arc<Real> arc;
+      arc.direction = clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
+      arc.sweep = swept_angle(sine, cosine, side);
+      make_corner_arc(now.step->moves.front().leg, block, std::move(arc));
     }
     here_ = to;
     const PlanePoint vector = perpendicular(PathEnd{to, 0, offset});
