@@ -25,8 +25,14 @@ class Numbers {
 
   // Linear words (X Y Z U V W I J K R).
   [[nodiscard]] Rational length(const spec::Decimal& word) const;
+  // 0 where there is no such word.
+  [[nodiscard]] Rational length(const spec::Decimal* word) const { return word == nullptr ? 0 : length(*word); }
   // Rotary words (A B C): degrees.
   [[nodiscard]] Rational angle(const spec::Decimal& word) const;
+  // The word of this axis.
+  [[nodiscard]] Rational of_axis(char letter, const spec::Decimal& word) const {
+    return spec::is_linear_axis(letter) ? length(word) : angle(word);
+  }
   // F: never least increments.
   [[nodiscard]] Rational feed(const spec::Decimal& word) const;
 

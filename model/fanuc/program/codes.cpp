@@ -2,11 +2,12 @@
 #include "model/fanuc/program/codes.h"
 
 #include <algorithm>
-#include <iterator>
+#include <initializer_list>
+#include <type_traits>
 
 #include "model/basis/alarm.h"
 #include "model/fanuc/program/offset_memory.h"
-#include "spec/language/fanuc/g_codes.h"
+#include "model/kinematics/mechanism.h"
 
 namespace toolcomp::model {
 namespace {
@@ -26,141 +27,73 @@ std::optional<std::uint64_t> tenths(const spec::Decimal& value) {
 
 using enum spec::GCode;
 
-// The codes of a group, and what they are there.
-template <class Code>
-struct Named {
-  spec::GCode name;
-  Code code;
-};
-constexpr Named<Motion> kMotions[] = {
-    {kG00, Motion::rapid}, {kG01, Motion::linear}, {kG02, Motion::arc_cw}, {kG03, Motion::arc_ccw}};
-constexpr Named<OneShot> kOneShots[] = {{kG04, OneShot::dwell},
-                                        {kG10, OneShot::data},
-                                        {kG28, OneShot::reference},
-                                        {kG29, OneShot::from_reference},
-                                        {kG30, OneShot::other_reference},
-                                        {kG30_1, OneShot::floating_reference},
-                                        {kG37, OneShot::measure},
-                                        {kG39, OneShot::corner_arc},
-                                        {kG45, OneShot::increase},
-                                        {kG46, OneShot::decrease},
-                                        {kG47, OneShot::double_increase},
-                                        {kG48, OneShot::double_decrease},
-                                        {kG52, OneShot::local_coordinates},
-                                        {kG53, OneShot::machine_coordinates},
-                                        {kG92, OneShot::shift}};
-constexpr Named<spec::Plane> kPlanes[] = {{kG17, spec::Plane::xy}, {kG18, spec::Plane::zx}, {kG19, spec::Plane::yz}};
-constexpr Named<spec::Units> kUnits[] = {{kG20, spec::Units::inch}, {kG21, spec::Units::mm}};
-constexpr Named<Compensation> kCompensations[] = {{kG40, Compensation::cancel},
-                                                  {kG41, Compensation::left},
-                                                  {kG41_2, Compensation::tool_side_left},
-                                                  {kG41_3, Compensation::leading_edge},
-                                                  {kG41_6, Compensation::directed_tool_side_left},
-                                                  {kG42, Compensation::right},
-                                                  {kG42_2, Compensation::tool_side_right},
-                                                  {kG42_6, Compensation::directed_tool_side_right}};
-constexpr Named<LengthCode> kLengthCodes[] = {{kG43, LengthCode::plus},
-                                              {kG43_4, LengthCode::tip_control},
-                                              {kG43_5, LengthCode::tool_direction},
-                                              {kG44, LengthCode::minus},
-                                              {kG49, LengthCode::cancel}};
-constexpr std::size_t kAdditional = 6;  // of G54.1 P1
-constexpr Named<std::size_t> kWorkpieces[] = {
-    {kG54, 0}, {kG55, 1}, {kG56, 2}, {kG57, 3}, {kG58, 4}, {kG59, 5}, {kG54_1, kAdditional}};
-constexpr Named<Cycle> kCycles[] = {{kG73, Cycle::pecking}, {kG74, Cycle::other},       {kG76, Cycle::other},
-                                    {kG80, Cycle::cancel},  {kG81, Cycle::other},       {kG82, Cycle::other},
-                                    {kG83, Cycle::pecking}, {kG84, Cycle::other},       {kG85, Cycle::other},
-                                    {kG86, Cycle::other},   {kG87, Cycle::back_boring}, {kG88, Cycle::other},
-                                    {kG89, Cycle::other}};
-constexpr Named<bool> kIncremental[] = {{kG90, false}, {kG91, true}};
-constexpr Named<bool> kFeedPerMinute[] = {{kG93, false}, {kG94, true}, {kG95, false}};
-constexpr Named<bool> kToInitialLevel[] = {{kG98, true}, {kG99, false}};
+constexpr std::size_t kAdditional = 7;  // of G54.1 P1
 constexpr spec::GCode kLettersAreData[] = {kG04, kG05, kG05_1, kG10, kG22, kG50_1};
 constexpr spec::GCode kWithoutEffect[] = {kG05, kG05_1, kG08, kG09,   kG11,   kG13_1, kG15,   kG22, kG23,
                                           kG25, kG40_1, kG50, kG50_1, kG50_2, kG61,   kG61_1, kG62, kG63,
                                           kG64, kG67,   kG69, kG96,   kG97,   kG113,  kG150,  kG160};
 
-class Reader {
- public:
-  Reader(Codes& codes, const Words& words, Recorder& recorder) : codes_(codes), recorder_(recorder) {
-    const spec::Decimal* const p = words.find('P');
-    high_speed_ = p != nullptr && plain(*p) == 10000;
-  }
-
-  // False if there is no such code.
-  bool read(std::uint64_t code) {
-    codes_.letters_are_data = codes_.letters_are_data || std::ranges::count(kLettersAreData, code) > 0;
-    codes_.refused_in_space =
-        codes_.refused_in_space || code == kG96 || code == kG97 || code == kG160 || (code == kG05 && !high_speed_);
-    // fanuc.program.without-effect: G05 G05.1 G08 G09 G11 G13.1 G15 G22 G23 G25 G40.1 G50 G50.1 G50.2 G61 G61.1 G62 G63
-    // G64 G67 G69 G96 G97 G113 G150 and G160 change nothing here. They cancel what is not supported, or they say how
-    // fast and how exactly the tool runs a path, not where the path is.
-    if (std::ranges::count(kWithoutEffect, code) > 0) {
-      recorder_.reach(Clause::fanuc_program_without_effect);
-      return true;
-    }
-    return is_in(kMotions, code, codes_.motion) || is_in(kOneShots, code, codes_.one_shot) ||
-           is_in(kPlanes, code, codes_.plane) || is_in(kUnits, code, codes_.units) ||
-           is_in(kCompensations, code, codes_.compensation) || is_in(kLengthCodes, code, codes_.length) ||
-           is_in(kWorkpieces, code, codes_.workpiece) || is_in(kCycles, code, codes_.cycle) ||
-           is_in(kIncremental, code, codes_.incremental) || is_in(kFeedPerMinute, code, codes_.feed_per_minute) ||
-           is_in(kToInitialLevel, code, codes_.to_initial_level);
-  }
-
- private:
+// False if there is no such code with an effect.
+bool read_group(std::uint64_t code, Codes& codes, Recorder& recorder) {
   // `slot`: the code of the group in the block so far.
-  template <class Code, std::size_t N, class Slot>
-  bool is_in(const Named<Code> (&group)[N], std::uint64_t code, Slot& slot) {
-    const auto* const found = std::ranges::find(group, code, &Named<Code>::name);
-    if (found == std::end(group)) return false;
+  const auto is_in = [&](std::initializer_list<spec::GCode> names, auto& slot, const auto& meaning) {
+    if (std::ranges::count(names, code) == 0) return false;
     // fanuc.program.last-code-of-group: If a block has several G codes of one modal group, the last one counts. G04 G10
     // G28 G29 G30 G30.1 G37 G39 G45 to G48 G52 G53 and G92 exclude each other in the same way.
-    if (slot != Slot()) {
-      recorder_.reach(Clause::fanuc_program_last_code_of_group);
-      codes_.repeats = true;
+    if (slot != std::remove_cvref_t<decltype(slot)>()) {
+      recorder.reach(Clause::fanuc_program_last_code_of_group);
+      codes.repeats = true;
     }
-    slot = found->code;
+    slot = meaning;
     return true;
-  }
+  };
+  return is_in({kG00, kG01, kG02, kG03}, codes.motion, static_cast<Motion>(code)) ||
+         is_in({kG04, kG10, kG28, kG29, kG30, kG30_1, kG37, kG39, kG45, kG46, kG47, kG48, kG52, kG53, kG92},
+               codes.one_shot, static_cast<OneShot>(code)) ||
+         is_in({kG17}, codes.plane, spec::Plane::xy) || is_in({kG18}, codes.plane, spec::Plane::zx) ||
+         is_in({kG19}, codes.plane, spec::Plane::yz) || is_in({kG20}, codes.units, spec::Units::inch) ||
+         is_in({kG21}, codes.units, spec::Units::mm) ||
+         is_in({kG40, kG41, kG41_2, kG41_3, kG41_6, kG42, kG42_2, kG42_6}, codes.compensation,
+               static_cast<Compensation>(code)) ||
+         is_in({kG43, kG43_4, kG43_5, kG44, kG49}, codes.length, static_cast<LengthCode>(code)) ||
+         is_in({kG54, kG55, kG56, kG57, kG58, kG59}, codes.workpiece, (code - kG54) / 10 + 1) ||
+         is_in({kG54_1}, codes.workpiece, kAdditional) || is_in({kG80}, codes.cycle, Cycle::cancel) ||
+         is_in({kG73, kG83}, codes.cycle, Cycle::pecking) || is_in({kG87}, codes.cycle, Cycle::back_boring) ||
+         is_in({kG74, kG76, kG81, kG82, kG84, kG85, kG86, kG88, kG89}, codes.cycle, Cycle::other) ||
+         is_in({kG90}, codes.incremental, false) || is_in({kG91}, codes.incremental, true) ||
+         is_in({kG93, kG95}, codes.feed_per_minute, false) || is_in({kG94}, codes.feed_per_minute, true) ||
+         is_in({kG98}, codes.to_initial_level, true) || is_in({kG99}, codes.to_initial_level, false);
+}
 
-  Codes& codes_;
-  Recorder& recorder_;
-  bool high_speed_ = false;  // P10000 stands in the block
-};
+// False if there is no such code.
+bool read_g(std::uint64_t code, const Words& words, Codes& codes, Recorder& recorder) {
+  codes.letters_are_data = codes.letters_are_data || std::ranges::count(kLettersAreData, code) > 0;
+  codes.refused_in_space = codes.refused_in_space || code == kG96 || code == kG97 || code == kG160 ||
+                           (code == kG05 && words.number('P', 0) != 10000);
+  // fanuc.program.without-effect: G05 G05.1 G08 G09 G11 G13.1 G15 G22 G23 G25 G40.1 G50 G50.1 G50.2 G61 G61.1 G62 G63
+  // G64 G67 G69 G96 G97 G113 G150 and G160 change nothing here. They cancel what is not supported, or they say how fast
+  // and how exactly the tool runs a path, not where the path is.
+  if (std::ranges::count(kWithoutEffect, code) == 0) return read_group(code, codes, recorder);
+  recorder.reach(Clause::fanuc_program_without_effect);
+  return true;
+}
 
 // Whether a parameter says so of an M code; one that is not given is 0.
 bool is_stop_by_parameter(const Rational& code, const spec::Setup& setup) {
-  const auto value = [&](std::uint32_t number) {
-    const std::optional<spec::Decimal> given = setup.parameter(number);
-    return given ? plain(*given) : Rational(0);
-  };
   for (std::uint32_t number = 3411; number <= 3420; ++number)
-    if (code == value(number)) return true;
+    if (code == parameter(setup, number)) return true;
   for (std::uint32_t first = 3421; first <= 3431; first += 2)
-    if (value(first) <= code && code <= value(first + 1)) return true;
+    if (parameter(setup, first) <= code && code <= parameter(setup, first + 1)) return true;
   return false;
 }
 
 void read_m(const spec::Decimal& value, const spec::Setup& setup, Codes& codes, Recorder& recorder) {
   codes.auxiliary = true;
-  switch (value.digits) {
-    case 2:
-    case 30:
-      codes.ends_program = true;
-      [[fallthrough]];
-    case 0:
-    case 1:
-      codes.stops_look_ahead = true;
-      break;
-    case 98:
-      codes.calls = true;
-      break;
-    case 99:
-      codes.returns = true;
-      break;
-    default:
-      break;
-  }
+  const std::uint64_t code = value.digits;
+  codes.ends_program = codes.ends_program || code == 2 || code == 30;
+  codes.stops_look_ahead = codes.stops_look_ahead || code == 0 || code == 1 || codes.ends_program;
+  codes.calls = codes.calls || code == 98;
+  codes.returns = codes.returns || code == 99;
   // fanuc.program.stops-reading-ahead: M00, M01, M02 and M30 stop the control from reading ahead, and so does each M
   // code that a parameter names. Each of No. 3411 to 3420 names one M code. The pairs 3421 and 3422, 3423 and 3424, up
   // to 3431 and 3432 name all M codes from the first to the last one, these two included.
@@ -178,11 +111,9 @@ bool names_origin(const Words& words) {
 
 // The system that G54.1 selects, behind the six of G54 to G59.
 std::size_t additional_system(const Words& words, Recorder& recorder) {
-  const spec::Decimal* const p = words.find('P');
   // fanuc.program.additional-system: G54.1 selects an additional workpiece system by P1 to P48, and without P it is P1.
   recorder.reach(Clause::fanuc_program_additional_system);
-  if (p == nullptr) return kAdditional;
-  const Rational number = plain(*p);
+  const Rational number = words.number('P', 1);
   if (denominator(number) != 1 || number < 1 || number > spec::kAdditionalWorkpieces)
     throw Alarm(AlarmCause::workpiece_number);
   return kAdditional + static_cast<std::size_t>(numerator(number)) - 1;
@@ -216,13 +147,13 @@ Words::Words(const spec::Block& block, Recorder& recorder) {
 
 Codes read_codes(const spec::Block& block, const Words& words, const spec::Setup& setup, Recorder& recorder) {
   Codes codes;
-  Reader reader(codes, words, recorder);
   for (const spec::Word& word : block.words()) {
     codes.any = codes.any || word.address != 'O';
     if (word.address == 'G') {
       const auto code = tenths(word.value);
       // fanuc.program.unknown-code: A G code that does not exist raises PS0010.
-      if (!code || !reader.read(*code)) raise(recorder, Clause::fanuc_program_unknown_code, AlarmCause::unknown_code);
+      if (!code || !read_g(*code, words, codes, recorder))
+        raise(recorder, Clause::fanuc_program_unknown_code, AlarmCause::unknown_code);
     } else if (word.address == 'M') {
       read_m(word.value, setup, codes, recorder);
     } else if (word.address == 'S' || word.address == 'T') {
@@ -254,8 +185,8 @@ Codes read_codes(const spec::Block& block, const Words& words, const spec::Setup
   // G43.5 G50.1 G73 G74 G76 G81 to G89 M98 M99). A P other than 1 to 48 raises PS0030.
   const bool taken = codes.letters_are_data || codes.calls || codes.returns ||
                      codes.one_shot == OneShot::other_reference || (codes.cycle && *codes.cycle != Cycle::cancel) ||
-                     codes.length == LengthCode::tip_control || codes.length == LengthCode::tool_direction;
-  if (codes.workpiece == std::size_t{0} && words.has('P') && !taken) codes.workpiece = kAdditional;
+                     (codes.length && is_tip_control(*codes.length));
+  if (codes.workpiece == std::size_t{1} && words.has('P') && !taken) codes.workpiece = kAdditional;
   if (codes.workpiece == kAdditional) codes.workpiece = additional_system(words, recorder);
   return codes;
 }

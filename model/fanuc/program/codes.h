@@ -5,32 +5,40 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "model/basis/number.h"
 #include "model/basis/recorder.h"
 #include "spec/language/event.h"
 #include "spec/language/fanuc/block.h"
+#include "spec/language/fanuc/g_codes.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::model {
 
-enum class Motion : std::uint8_t { rapid, linear, arc_cw, arc_ccw };  // group 01: G00–G03
-enum class Compensation : std::uint8_t {                              // group 07
-  cancel,                                                             // G40
-  left,                                                               // G41
-  right,                                                              // G42
-  leading_edge,                                                       // G41.3
-  tool_side_left,                                                     // G41.2
-  tool_side_right,                                                    // G42.2
-  directed_tool_side_left,                                            // G41.6: the same under G43.5
-  directed_tool_side_right                                            // G42.6
+// The value of a code is its number (spec::GCode), but for `none`.
+enum class Motion : std::uint16_t {
+  rapid = spec::kG00,
+  linear = spec::kG01,
+  arc_cw = spec::kG02,
+  arc_ccw = spec::kG03
 };
-enum class LengthCode : std::uint8_t {  // group 08
-  plus,                                 // G43
-  minus,                                // G44
-  tip_control,                          // G43.4: tool center point control, type 1
-  tool_direction,                       // G43.5: type 2
-  cancel                                // G49
+enum class Compensation : std::uint16_t {  // group 07
+  cancel = spec::kG40,
+  left = spec::kG41,
+  right = spec::kG42,
+  leading_edge = spec::kG41_3,
+  tool_side_left = spec::kG41_2,
+  tool_side_right = spec::kG42_2,
+  directed_tool_side_left = spec::kG41_6,  // the same under G43.5
+  directed_tool_side_right = spec::kG42_6
+};
+enum class LengthCode : std::uint16_t {  // group 08
+  plus = spec::kG43,
+  minus = spec::kG44,
+  tip_control = spec::kG43_4,     // tool center point control, type 1
+  tool_direction = spec::kG43_5,  // type 2
+  cancel = spec::kG49
 };
 enum class Cycle : std::uint8_t {  // group 09
   cancel,                          // G80
@@ -38,26 +46,45 @@ enum class Cycle : std::uint8_t {  // group 09
   back_boring,                     // G87
   other                            // G74 G76 G81 G82 G84 G85 G86 G88 G89
 };
-enum class OneShot : std::uint8_t {  // group 00
+enum class OneShot : std::uint16_t {  // group 00
   none,
-  dwell,                // G04
-  data,                 // G10
-  reference,            // G28
-  from_reference,       // G29
-  other_reference,      // G30
-  floating_reference,   // G30.1
-  measure,              // G37
-  corner_arc,           // G39
-  increase,             // G45
-  decrease,             // G46
-  double_increase,      // G47
-  double_decrease,      // G48
-  local_coordinates,    // G52
-  machine_coordinates,  // G53
-  shift                 // G92
+  dwell = spec::kG04,
+  data = spec::kG10,
+  reference = spec::kG28,
+  from_reference = spec::kG29,
+  other_reference = spec::kG30,
+  floating_reference = spec::kG30_1,
+  measure = spec::kG37,
+  corner_arc = spec::kG39,
+  increase = spec::kG45,
+  decrease = spec::kG46,
+  double_increase = spec::kG47,
+  double_decrease = spec::kG48,
+  local_coordinates = spec::kG52,
+  machine_coordinates = spec::kG53,
+  shift = spec::kG92
 };
 
 using AxisMask = std::uint16_t;  // bit i: controlled axis i
+// An axis that the machine does not have (spec::Axes::kNone) is in no mask.
+constexpr bool in(AxisMask mask, std::size_t axis) { return (mask >> axis & 1U) != 0; }
+constexpr AxisMask with(AxisMask mask, std::size_t axis) { return static_cast<AxisMask>(mask | 1U << axis); }
+constexpr AxisMask without(AxisMask mask, AxisMask removed) { return static_cast<AxisMask>(mask & ~removed); }
+// In order.
+inline std::vector<std::size_t> axes_in(AxisMask mask) {
+  std::vector<std::size_t> axes;
+  for (std::size_t i = 0; i < spec::kMaxAxes; ++i)
+    if (in(mask, i)) axes.push_back(i);
+  return axes;
+}
+
+// The axes that have a value other than 0.
+inline AxisMask nonzero(const std::array<Rational, spec::kMaxAxes>& values) {
+  AxisMask mask = 0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (values.at(i) != 0) mask = with(mask, i);
+  return mask;
+}
 
 // G45–G48.
 constexpr bool is_tool_offset(OneShot code) { return code >= OneShot::increase && code <= OneShot::double_decrease; }
@@ -83,7 +110,9 @@ constexpr bool is_tip_control(LengthCode code) {
   return code == LengthCode::tip_control || code == LengthCode::tool_direction;
 }
 // G41.2, G42.2, G41.6, G42.6.
-constexpr bool is_tool_side(Compensation code) { return code >= Compensation::tool_side_left; }
+constexpr bool is_tool_side(Compensation code) {
+  return code != Compensation::cancel && code != Compensation::leading_edge && !is_cutter_side(code);
+}
 
 // The last word of each address.
 class Words {
@@ -92,6 +121,10 @@ class Words {
   // Null where the block has no such word. G, M, N and O are not kept.
   [[nodiscard]] const spec::Decimal* find(char address) const { return word_[static_cast<std::size_t>(address - 'A')]; }
   [[nodiscard]] bool has(char address) const { return find(address) != nullptr; }
+  // Its value as written, or `otherwise`.
+  [[nodiscard]] Rational number(char address, const Rational& otherwise) const {
+    return has(address) ? plain(*find(address)) : otherwise;
+  }
   // One of them stands twice.
   [[nodiscard]] bool repeats() const { return repeats_; }
 
@@ -113,7 +146,7 @@ struct Codes {
   std::optional<bool> feed_per_minute;       // group 05: G94, or G93 G95
   std::optional<Cycle> cycle;                // group 09
   std::optional<bool> to_initial_level;      // group 10: G98, or G99
-  std::optional<std::size_t> workpiece;      // group 14: 0 for G54 … 5 for G59, behind them G54.1 P1 …
+  std::optional<std::size_t> workpiece;      // group 14: 1 for G54 … 6 for G59, behind them G54.1 P1 …
   bool writes_origin = false;                // G10 L2, G10 L20
   bool refused_in_space = false;             // G05 but for P10000, G96 G97 G160: not in a compensation in space
   bool letters_are_data = false;             // of G04 G05 G05.1 G10 G22 G50.1: axis letters, I J K

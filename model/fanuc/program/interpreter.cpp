@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/fanuc/program/interpreter.h"
 
+#include <algorithm>
+
 #include "model/basis/alarm.h"
 #include "model/geometry/arc.h"
 #include "model/geometry/plane_vector.h"
+#include "model/kinematics/mechanism.h"
 
 namespace toolcomp::model {
 namespace {
@@ -46,32 +49,21 @@ Interpreter::Interpreter(const spec::Setup& setup, Recorder& recorder)
       axes_(setup.axes),
       numbers_(setup, recorder),
       work_(setup),
-      allowed_difference_(setup.parameter(3410) ? plain(*setup.parameter(3410)) : Rational(0)) {
-  const auto start = by_axis(setup.position, axes_);
-  for (std::size_t i = 0; i < axes_.size(); ++i) position_.at(i) = start.at(i);
+      allowed_difference_(parameter(setup, 3410)) {
+  std::ranges::copy(by_axis(setup.position, axes_), position_.begin());
   // fanuc.program.feed: F is modal, and 1411 is the F at power-on unless it is 0.
   if (const auto at_start = setup.parameter(1411); at_start && !at_start->is_zero()) feed_ = plain(*at_start);
-}
-
-AxisMask Interpreter::axis_words(const Words& words) const {
-  AxisMask mask = 0;
-  for (std::size_t i = 0; i < axes_.size(); ++i)
-    if (words.has(axes_.letter(i))) mask = static_cast<AxisMask>(mask | 1U << i);
-  return mask;
 }
 
 Command Interpreter::read(const spec::Block& block) {
   if (block.alarm) raise_reading(recorder_, *block.alarm);
   const Words words(block, recorder_);
-  Command command{words, read_codes(block, words, setup_, recorder_)};
-  const Codes& codes = command.codes;
+  const Codes codes = read_codes(block, words, setup_, recorder_);
   if (codes.units) numbers_.program_units(*codes.units);
-  if (codes.motion) motion_ = *codes.motion;
-  if (codes.plane) plane_ = *codes.plane;
-  if (codes.incremental) incremental_ = *codes.incremental;
-  command.motion = motion_;
-  command.plane = plane_;
-  command.incremental = incremental_;
+  motion_ = codes.motion.value_or(motion_);
+  plane_ = codes.plane.value_or(plane_);
+  incremental_ = codes.incremental.value_or(incremental_);
+  Command command{words, codes, motion_, plane_, incremental_};
   // fanuc.program.call: A block with M98 runs, then the program that it calls runs. That is the program of the number
   // P, and it runs as often as L says. Without L the digits of P before the last four say how often.
   if (codes.calls) recorder_.reach(Clause::fanuc_program_call);
@@ -84,7 +76,8 @@ Command Interpreter::read(const spec::Block& block) {
   // dwell time, limits, origins), not positions. They move nothing, turn nothing and name no axis. This holds even if
   // another code of the block counts in place of that code.
   if (!recorder_.decide(Clause::fanuc_program_letters_as_data, codes.letters_are_data)) {
-    command.axes = axis_words(words);
+    for (std::size_t i = 0; i < axes_.size(); ++i)
+      if (words.has(axes_.letter(i))) command.axes = with(command.axes, i);
     command.direction = words.has('I') || words.has('J') || words.has('K');
   }
   return command;
@@ -118,8 +111,7 @@ void Interpreter::require_feed(const Command& command) const {
 
 Rational Interpreter::word(const Command& command, std::size_t axis) const {
   const char letter = axes_.letter(axis);
-  const spec::Decimal& value = *command.words.find(letter);
-  return spec::is_linear_axis(letter) ? numbers_.length(value) : numbers_.angle(value);
+  return numbers_.of_axis(letter, *command.words.find(letter));
 }
 
 void Interpreter::go(Leg& leg, std::size_t axis, const Coordinate& to, const Real& travel) const {
@@ -133,12 +125,16 @@ void Interpreter::go(Leg& leg, std::size_t axis, const Coordinate& to) const {
   go(leg, axis, to, is_space_axis(axes_.letter(axis)) ? (to - position_.at(axis)).value() : Real());
 }
 
-Leg Interpreter::ordinary(const Command& command, spec::MoveType type) const {
+Leg Interpreter::standing(spec::MoveType type) const {
   Leg leg;
   leg.type = type;
   leg.end = position_;
-  for (std::size_t i = 0; i < axes_.size(); ++i) {
-    if (!command.names(i)) continue;
+  return leg;
+}
+
+Leg Interpreter::ordinary(const Command& command, spec::MoveType type) const {
+  Leg leg = standing(type);
+  for (const std::size_t i : axes_in(command.axes)) {
     const Rational value = word(command, i);
     // fanuc.program.incremental: Under G90 an axis word is the end position in the workpiece coordinate system, under
     // G91 it is the travel from the programmed position. Offsets are not included.
@@ -155,25 +151,22 @@ Leg Interpreter::machine_leg(const Command& command) const {
   // fanuc.program.machine-coordinates: G53 with axis words goes in rapid traverse to machine coordinates. The workpiece
   // position of the named axes is then the machine position less the work zero.
   recorder_.reach(Clause::fanuc_program_machine_coordinates);
-  Leg leg;
-  leg.type = spec::MoveType::rapid;
-  leg.end = position_;
-  for (std::size_t i = 0; i < axes_.size(); ++i)
-    if (command.names(i)) go(leg, i, Coordinate(word(command, i)) - work_.zero(i));
+  Leg leg = standing(spec::MoveType::rapid);
+  for (const std::size_t i : axes_in(command.axes)) go(leg, i, Coordinate(word(command, i)) - work_.zero(i));
   return leg;
 }
 
-const Rational& Interpreter::reference(const Command& command, std::size_t axis) const {
-  switch (command.codes.one_shot) {
-    case OneShot::floating_reference:
-      return work_.floating_reference(axis);
-    case OneShot::other_reference: {
-      const spec::Decimal* const p = command.words.find('P');
-      return work_.reference(p == nullptr ? 2 : static_cast<std::size_t>(p->digits), axis);
-    }
-    default:
-      return work_.reference(1, axis);
-  }
+std::size_t Interpreter::reference_number(const Command& command) const {
+  const OneShot one_shot = command.codes.one_shot;
+  if (one_shot != OneShot::other_reference)
+    return one_shot == OneShot::floating_reference ? WorkCoordinates::kFloating : 1;
+  const Rational number = command.words.number('P', 2);
+  // fanuc.program.reference-number: P of G30 names reference position 2, 3 or 4. Without P it is 2. Another number
+  // raises PS0046.
+  if (command.words.has('P') &&
+      recorder_.decide(Clause::fanuc_program_reference_number, number != 2 && number != 3 && number != 4))
+    throw Alarm(AlarmCause::reference_number);
+  return static_cast<std::size_t>(numerator(number));
 }
 
 // G28, G30, G30.1: to the intermediate point, then the named axes to the reference position.
@@ -182,22 +175,13 @@ std::vector<Leg> Interpreter::reference_legs(const Command& command) {
   // the reference position, both in rapid traverse. G28 goes to the first reference position, G30 to the second to
   // fourth by P, G30.1 to the floating one.
   if (!recorder_.decide(Clause::fanuc_program_reference_return, command.axes != 0)) return {};
-  if (command.codes.one_shot == OneShot::other_reference) {
-    if (const spec::Decimal* p = command.words.find('P')) {
-      const Rational number = plain(*p);
-      // fanuc.program.reference-number: P of G30 names reference position 2, 3 or 4. Without P it is 2. Another number
-      // raises PS0046.
-      if (recorder_.decide(Clause::fanuc_program_reference_number, number != 2 && number != 3 && number != 4))
-        throw Alarm(AlarmCause::reference_number);
-    }
-  }
+  const std::size_t number = reference_number(command);
   Leg intermediate = ordinary(command, spec::MoveType::rapid);
   intermediate.cause = spec::Cause::reference;
   Leg reference_leg = intermediate;
-  for (std::size_t i = 0; i < axes_.size(); ++i) {
-    if (!command.names(i)) continue;
+  for (const std::size_t i : axes_in(command.axes)) {
     intermediate_.at(i) = intermediate.end.at(i);
-    go(reference_leg, i, Coordinate(reference(command, i)) - work_.zero(i));
+    go(reference_leg, i, Coordinate(work_.reference(number, i)) - work_.zero(i));
   }
   return {intermediate, reference_leg};
 }
@@ -207,11 +191,8 @@ std::vector<Leg> Interpreter::return_legs(const Command& command) const {
   // fanuc.program.return-from-reference: G29 takes the named axes through the intermediate point of the last G28, G30
   // or G30.1 to the commanded point, both in rapid traverse. The intermediate point is kept in workpiece coordinates.
   recorder_.reach(Clause::fanuc_program_return_from_reference);
-  Leg intermediate;
-  intermediate.type = spec::MoveType::rapid;
-  intermediate.end = position_;
-  for (std::size_t i = 0; i < axes_.size(); ++i) {
-    if (!command.names(i)) continue;
+  Leg intermediate = standing(spec::MoveType::rapid);
+  for (const std::size_t i : axes_in(command.axes)) {
     // fanuc.program.return-without-intermediate: An axis that has no intermediate point yet uses its current position
     // as one. On the 30i, G29 with such an axis raises PS0305.
     if (recorder_.decide(Clause::fanuc_program_return_without_intermediate, !intermediate_.at(i))) {
@@ -221,8 +202,7 @@ std::vector<Leg> Interpreter::return_legs(const Command& command) const {
     go(intermediate, i, *intermediate_.at(i));
   }
   Leg end = intermediate;
-  for (std::size_t i = 0; i < axes_.size(); ++i) {
-    if (!command.names(i)) continue;
+  for (const std::size_t i : axes_in(command.axes)) {
     const Coordinate value = word(command, i);
     // fanuc.program.return-incremental: Under G91 the words of G29 count from the intermediate point.
     const bool incremental = recorder_.decide(Clause::fanuc_program_return_incremental, command.incremental);
@@ -238,30 +218,21 @@ std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Le
   const std::size_t second = axes_.index(in_plane.second);
   const spec::Decimal* const r = command.words.find('R');
   const bool center = command.direction && !directed;
-  const bool travels = command.names(first) || command.names(second);
   if (r == nullptr && !center) {
+    // fanuc.program.arc-without-plane-words: Under G02 or G03 a block without an axis word of the plane and without I J
+    // K R moves the other axes in a straight line.
+    if (!command.names(first) && !command.names(second)) recorder_.reach(Clause::fanuc_program_arc_without_plane_words);
     // fanuc.program.arc-without-center: With CIR (3403#5) = 1, which is the default, an axis word of the plane under
     // G02 or G03 raises PS0022 if the block has neither I J K nor R. With CIR = 0 the block runs as a straight line to
     // its end, with its F.
-    if (travels) {
-      if (recorder_.decide(Clause::fanuc_program_arc_without_center, setup_.bit(3403, 5, true)))
-        throw Alarm(AlarmCause::arc_without_center);
-      return std::nullopt;
-    }
-    // fanuc.program.arc-without-plane-words: Under G02 or G03 a block without an axis word of the plane and without I J
-    // K R moves the other axes in a straight line.
-    recorder_.reach(Clause::fanuc_program_arc_without_plane_words);
+    else if (recorder_.decide(Clause::fanuc_program_arc_without_center, setup_.bit(3403, 5, true)))
+      throw Alarm(AlarmCause::arc_without_center);
     return std::nullopt;
   }
   // A machine without an axis of the plane stands at 0 in it.
-  const auto at = [](const Position& position, std::size_t axis) {
-    return axis == spec::Axes::kNone ? Real(0) : position.at(axis).value();
-  };
-  const auto along = [&](std::size_t axis) {
-    return axis == spec::Axes::kNone ? Real(0) : (leg.end.at(axis) - position_.at(axis)).value();
-  };
-  const PlanePoint start{at(position_, first), at(position_, second)};
-  const PlanePoint travel{along(first), along(second)};
+  const auto at = [&](std::size_t axis) { return axis == spec::Axes::kNone ? Real(0) : position_.at(axis).value(); };
+  const PlanePoint start{at(first), at(second)};
+  const PlanePoint travel = in_plane_of(command.plane, leg.travel);
   spec::Arc<Real> arc;
   arc.plane = command.plane;
   arc.direction = command.motion == Motion::arc_cw ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
@@ -278,12 +249,8 @@ std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Le
     }
     geometry = arc_by_radius(recorder_, start, travel, numbers_.length(*r), arc.direction);
   } else {
-    const auto component = [&](char letter) {
-      const spec::Decimal* const value = command.words.find(letter);
-      return value == nullptr ? Rational(0) : numbers_.length(*value);
-    };
-    const Rational to_first = component(in_plane.first_center);
-    const Rational to_second = component(in_plane.second_center);
+    const Rational to_first = numbers_.length(command.words.find(in_plane.first_center));
+    const Rational to_second = numbers_.length(command.words.find(in_plane.second_center));
     // fanuc.program.arc-center-in-start: Without R, I J K raise PS0022 if those of the plane are zero or missing. In
     // cutter compensation C they raise PS0038 instead (fanuc.cutter-c.arc-ends-in-center).
     if (!recorder_.decide(Clause::fanuc_program_arc_center_in_start, to_first == 0 && to_second == 0))
@@ -309,10 +276,8 @@ void Interpreter::select_workpiece_system(const Command& command) {
 }
 
 void Interpreter::write_origins(const Command& command) {
-  const spec::Decimal* const l = command.words.find('L');
-  const spec::Decimal* const p = command.words.find('P');
-  const bool additional = l->digits == 20;
-  const Rational number = p == nullptr ? Rational(-1) : plain(*p);
+  const bool additional = command.words.find('L')->digits == 20;
+  const Rational number = command.words.number('P', -1);
   const std::size_t first = additional ? 1 : 0;
   const std::size_t last = additional ? spec::kAdditionalWorkpieces : setup_.workpiece.size();
   // fanuc.program.origin-number: P of G10 L2 is 1 to 6 for G54 to G59, or 0 for the origin that is added to all
@@ -320,18 +285,14 @@ void Interpreter::write_origins(const Command& command) {
   if (recorder_.decide(Clause::fanuc_program_origin_number,
                        denominator(number) != 1 || number < first || number > last))
     throw Alarm(AlarmCause::g10_workpiece);
-  const auto named = static_cast<std::size_t>(numerator(number));
+  const std::size_t system = static_cast<std::size_t>(numerator(number)) + (additional ? setup_.workpiece.size() : 0);
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     if (!command.words.has(axes_.letter(i))) continue;
     // fanuc.program.origin: G10 L2 and L20 write the workpiece origin of the axes that they name. Under G90 the words
     // replace the origin, under G91 they are added to it. The new origin counts from this block on. The machine stays
     // where it is. The programmed position changes, without an event.
     const bool add = recorder_.decide(Clause::fanuc_program_origin, command.incremental);
-    if (!additional && named == 0)
-      work_.set_external(i, word(command, i), add, position_);
-    else
-      work_.set_origin(additional ? setup_.workpiece.size() + named - 1 : named - 1, i, word(command, i), add,
-                       position_);
+    work_.set_origin(system, i, word(command, i), add, position_);
   }
 }
 
@@ -349,9 +310,7 @@ std::vector<Leg> Interpreter::legs(const Command& command, bool directed, bool a
     return {machine_leg(command)};
   }
   if (one_shot == OneShot::corner_arc) return {};
-  if (is_shift(one_shot) || is_dwell_or_data(one_shot)) {
-    return always ? std::vector{stay(command)} : std::vector<Leg>{};
-  }
+  if (is_shift(one_shot) || is_dwell_or_data(one_shot)) return always ? std::vector{stay(command)} : std::vector<Leg>{};
   Leg leg = toward(command);
   if (one_shot == OneShot::measure) return {leg};
   if (command.is_arc_motion() && (goes || command.direction || command.words.has('R')))
@@ -363,12 +322,7 @@ std::vector<Leg> Interpreter::legs(const Command& command, bool directed, bool a
 
 Leg Interpreter::toward(const Command& command) const { return ordinary(command, straight(command.motion)); }
 
-Leg Interpreter::stay(const Command& command) const {
-  Leg leg;
-  leg.end = position_;
-  leg.type = straight(command.motion);
-  return leg;
-}
+Leg Interpreter::stay(const Command& command) const { return standing(straight(command.motion)); }
 
 void Interpreter::arrive(const Command& command, const std::vector<Leg>& legs) {
   if (!legs.empty()) position_ = legs.back().end;
@@ -381,8 +335,7 @@ void Interpreter::arrive(const Command& command, const std::vector<Leg>& legs) {
   // stays where it is. G52 gives no event. A move that the block makes because an offset changes comes before it.
   const bool local = command.codes.one_shot == OneShot::local_coordinates;
   recorder_.reach(local ? Clause::fanuc_program_local_system : Clause::fanuc_program_shift);
-  for (std::size_t i = 0; i < axes_.size(); ++i) {
-    if (!command.names(i)) continue;
+  for (const std::size_t i : axes_in(command.axes)) {
     if (local)
       work_.set_local(i, word(command, i), position_);
     else
@@ -391,17 +344,15 @@ void Interpreter::arrive(const Command& command, const std::vector<Leg>& legs) {
 }
 
 void Interpreter::shift_position(const Vector& by) {
-  for (std::size_t i = 0; i < axes_.size(); ++i) {
-    const char letter = axes_.letter(i);
-    if (is_space_axis(letter)) position_.at(i) = position_.at(i) + Coordinate(component(by, space_index(letter)));
-  }
+  for (std::size_t i = 0; i < axes_.size(); ++i)
+    if (const char letter = axes_.letter(i); is_space_axis(letter))
+      position_.at(i) = position_.at(i) + Coordinate(component(by, space_index(letter)));
 }
 
 void Interpreter::stand_in_space(const Vector& at) {
-  for (std::size_t i = 0; i < axes_.size(); ++i) {
-    const char letter = axes_.letter(i);
-    if (is_space_axis(letter)) position_.at(i) = Coordinate(component(at, space_index(letter)));
-  }
+  for (std::size_t i = 0; i < axes_.size(); ++i)
+    if (const char letter = axes_.letter(i); is_space_axis(letter))
+      position_.at(i) = Coordinate(component(at, space_index(letter)));
 }
 
 }  // namespace toolcomp::model

@@ -41,10 +41,8 @@ struct Command {
   CycleBlock cycle = {};   // in the drilling mode the block names no axis: the words are those of a hole
   [[nodiscard]] bool is_arc_motion() const { return motion == Motion::arc_cw || motion == Motion::arc_ccw; }
   // An axis word stands in the block, and is no data of a code; no other way to ask for one is right.
-  [[nodiscard]] bool names(std::size_t axis) const { return (axes >> axis & 1U) != 0; }
-  [[nodiscard]] bool names(const spec::Axes& controlled, char letter) const {
-    return controlled.has(letter) && names(controlled.index(letter));
-  }
+  [[nodiscard]] bool names(std::size_t axis) const { return in(axes, axis); }
+  [[nodiscard]] bool names(const spec::Axes& controlled, char letter) const { return names(controlled.index(letter)); }
 };
 
 // Interprets blocks one after the other and keeps the programmed position. Clauses: fanuc.program.*.
@@ -86,8 +84,9 @@ class Interpreter {
 
  private:
   void read_feed(const Command& command);
-  [[nodiscard]] AxisMask axis_words(const Words& words) const;
   [[nodiscard]] Rational word(const Command& command, std::size_t axis) const;
+  // A leg that stays where the block starts.
+  [[nodiscard]] Leg standing(spec::MoveType type) const;
   [[nodiscard]] Leg ordinary(const Command& command, spec::MoveType type) const;
   // Ends an axis of the leg at `to`, `travel` away from where the block starts.
   void go(Leg& leg, std::size_t axis, const Coordinate& to, const Real& travel) const;
@@ -97,7 +96,7 @@ class Interpreter {
   [[nodiscard]] Leg machine_leg(const Command& command) const;
   [[nodiscard]] std::vector<Leg> reference_legs(const Command& command);
   [[nodiscard]] std::vector<Leg> return_legs(const Command& command) const;
-  [[nodiscard]] const Rational& reference(const Command& command, std::size_t axis) const;
+  [[nodiscard]] std::size_t reference_number(const Command& command) const;
 
   const spec::Setup& setup_;
   Recorder& recorder_;

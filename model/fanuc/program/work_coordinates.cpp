@@ -14,15 +14,14 @@ std::array<Rational, spec::kMaxAxes> by_axis(const spec::AxisTable& table, const
   return values;
 }
 
-WorkCoordinates::WorkCoordinates(const spec::Setup& setup) : axes_(setup.axes.size()) {
-  for (const spec::AxisTable& origin : setup.workpiece) origin_.push_back(by_axis(origin, setup.axes));
-  const std::size_t additional = origin_.size();
-  origin_.resize(additional + spec::kAdditionalWorkpieces);
+WorkCoordinates::WorkCoordinates(const spec::Setup& setup)
+    : axes_(setup.axes.size()), origin_(1 + setup.workpiece.size() + spec::kAdditionalWorkpieces) {
+  for (std::size_t i = 0; i < setup.workpiece.size(); ++i) origin_[1 + i] = by_axis(setup.workpiece.at(i), setup.axes);
   for (const auto& [number, origin] : setup.additional_workpiece)
-    (number == 0 ? external_ : origin_.at(additional + number - 1)) = by_axis(origin, setup.axes);
+    origin_.at(number == 0 ? 0 : setup.workpiece.size() + number) = by_axis(origin, setup.axes);
   for (const auto& [number, table] : setup.reference)
-    if (number >= 1 && number <= 4) reference_.at(static_cast<std::size_t>(number - 1)) = by_axis(table, setup.axes);
-  reference_[4] = by_axis(setup.floating_reference, setup.axes);
+    reference_.at(static_cast<std::size_t>(number)) = by_axis(table, setup.axes);
+  reference_[kFloating] = by_axis(setup.floating_reference, setup.axes);
 }
 
 const SharedZero& WorkCoordinates::zero() const {
@@ -63,15 +62,10 @@ void WorkCoordinates::set_origin(std::size_t system, std::size_t axis, const Rat
                                  Position& position) {
   Rational& origin = origin_.at(system).at(axis);
   const Rational to = add ? Rational(origin + value) : value;
-  if (system == selected_)
+  if (system == 0 || system == selected_)
     set(origin, to, axis, position);
   else
     origin = to;
-}
-
-void WorkCoordinates::set_external(std::size_t axis, const Rational& value, bool add, Position& position) {
-  Rational& origin = external_.at(axis);
-  set(origin, add ? Rational(origin + value) : value, axis, position);
 }
 
 }  // namespace toolcomp::model
