@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "model/fanuc/corner/corner.h"
-#include "model/fanuc/program/offset_in_force.h"
+#include "model/fanuc/program/offset_memory.h"
 #include "model/fanuc/program/pass.h"
 
 namespace toolcomp::model {

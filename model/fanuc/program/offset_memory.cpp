@@ -17,14 +17,7 @@ Rational largest(unsigned whole, const spec::Setup& setup) {
   return {exact::power_of_ten(whole + behind) - 1, exact::power_of_ten(behind + inch)};
 }
 
-}  // namespace
-
-std::optional<OffsetWrite> offset_kind(const Words& words, spec::OffsetMemory memory) {
-  const spec::Decimal* const l = words.find('L');
-  return offset_kind(l == nullptr ? 0 : l->digits == 1 ? 11 : l->digits, memory);
-}
-
-std::optional<OffsetWrite> offset_kind(std::uint64_t l, spec::OffsetMemory memory) {
+std::optional<OffsetWrite> kind_of(std::uint64_t l, spec::OffsetMemory memory) {
   OffsetWrite write;
   switch (memory) {
     case spec::OffsetMemory::a:
@@ -44,6 +37,13 @@ std::optional<OffsetWrite> offset_kind(std::uint64_t l, spec::OffsetMemory memor
   return write;
 }
 
+}  // namespace
+
+std::optional<OffsetWrite> offset_kind(const Words& words, spec::OffsetMemory memory) {
+  const spec::Decimal* const l = words.find('L');
+  return kind_of(l == nullptr ? 0 : l->digits == 1 ? 11 : l->digits, memory);
+}
+
 OffsetMemory::OffsetMemory(const spec::Setup& setup, Recorder& recorder)
     : recorder_(recorder),
       kind_(setup.memory),
@@ -53,8 +53,7 @@ OffsetMemory::OffsetMemory(const spec::Setup& setup, Recorder& recorder)
       wear_limit_(largest(2, setup)) {
   const auto fill = [this](Table& table, const std::map<std::uint32_t, spec::OffsetEntry>& from) {
     for (const auto& [number, entry] : from)
-      table.insert_or_assign(
-          number, Entry{plain(entry.geometry), kind_ == spec::OffsetMemory::a ? Rational(0) : plain(entry.wear)});
+      table[number] = {plain(entry.geometry), kind_ == spec::OffsetMemory::a ? Rational(0) : plain(entry.wear)};
   };
   // Where H and D share their numbers, each reads its own entry where the setup gives it one.
   if (kind_ != spec::OffsetMemory::c) {
@@ -77,7 +76,7 @@ Rational OffsetMemory::applied(const Table& table, std::uint32_t number) const {
     return 0;
   }
   const Entry offset = entry(table, number);
-  Rational value = offset.geometry + offset.wear;
+  const Rational value = offset[0] + offset[1];
   // fanuc.memory.value-too-large: A value beyond the geometry range of the memory raises PS0029 when a command applies
   // it. The geometry ranges are IS-A 999.99 mm, 99.999 inch; IS-B 999.999, 99.9999; IS-C 999.9999, 99.99999.
   if (recorder_.decide(Clause::fanuc_memory_value_too_large, abs(value) > geometry_limit_))
@@ -89,8 +88,7 @@ std::optional<OffsetWrite> OffsetMemory::read_write(const Words& words, const Nu
                                                     bool incremental) const {
   OffsetWrite write = offset_kind(words, kind_).value();  // read_codes has refused others
   write.add = incremental;
-  const spec::Decimal* const p = words.find('P');
-  const Rational number = p == nullptr ? Rational(0) : plain(*p);
+  const Rational number = words.number('P', 0);
   // fanuc.memory.g10-number: P of G10 names the offset number. A number that is not whole, is 0, is beyond the memory
   // or is missing raises PS0031.
   if (denominator(number) != 1 || number < 1 || number > count_)
@@ -99,8 +97,7 @@ std::optional<OffsetWrite> OffsetMemory::read_write(const Words& words, const Nu
 
   const spec::Decimal* const r = words.find('R');
   // fanuc.memory.g10-value: R of G10 is the value. Without R nothing is written, and on the 30i PS0031 is raised.
-  recorder_.decide(Clause::fanuc_memory_g10_value, r != nullptr);
-  if (r == nullptr) {
+  if (!recorder_.decide(Clause::fanuc_memory_g10_value, r != nullptr)) {
     if (series_ == spec::Series::series_30i) throw Alarm(AlarmCause::g10_number);
     return std::nullopt;
   }
@@ -115,7 +112,7 @@ std::optional<OffsetWrite> OffsetMemory::read_write(const Words& words, const Nu
 }
 
 OffsetWrite OffsetMemory::measured(std::uint32_t number, const Rational& difference) const {
-  OffsetWrite write = offset_kind(11, kind_).value();  // every memory has an L11
+  OffsetWrite write = kind_of(11, kind_).value();  // every memory has an L11
   // fanuc.length-measurement.store: In memory A the value itself changes, in memory B the wear value, in memory C the
   // wear value of H.
   recorder_.decide(Clause::fanuc_length_measurement_store, write.wear);
@@ -126,7 +123,7 @@ OffsetWrite OffsetMemory::measured(std::uint32_t number, const Rational& differe
 }
 
 Rational OffsetMemory::written(const Table& table, const OffsetWrite& write) const {
-  return write.add ? entry(table, write.number).part(write.wear) + write.value : write.value;
+  return write.add ? entry(table, write.number)[write.wear] + write.value : write.value;
 }
 
 OffsetSetting OffsetMemory::write(const OffsetWrite& write) {
@@ -134,11 +131,50 @@ OffsetSetting OffsetMemory::write(const OffsetWrite& write) {
   recorder_.decide(Clause::fanuc_memory_g10_adds, write.add);
   const Rational h = written(h_, write);
   const Rational d = written(d_, write);
-  if (write.h) h_[write.number].part(write.wear) = h;
-  if (write.d) d_[write.number].part(write.wear) = d;
+  if (write.h) h_[write.number][write.wear] = h;
+  if (write.d) d_[write.number][write.wear] = d;
   std::string name = (write.h ? "H" : "D") + std::to_string(write.number);
   if (kind_ != spec::OffsetMemory::a) name += write.wear ? ".wear" : ".geometry";
   return {spec::Name(name), write.h ? h : d, {}};
+}
+
+OffsetInForce::OffsetInForce(const spec::Setup& setup, const OffsetMemory& memory, Recorder& recorder)
+    : memory_(memory), recorder_(recorder), ofh_(setup.bit(5001, 2)), evr_(setup.bit(5001, 4)) {}
+
+std::optional<OffsetNumber> OffsetInForce::given(const Codes& codes) const {
+  if (codes.d) return OffsetNumber{*codes.d, false};
+  if (ofh_ && codes.h) return OffsetNumber{*codes.h, true};
+  return std::nullopt;
+}
+
+OffsetNumber OffsetInForce::number_after(const Codes& codes) const { return given(codes).value_or(number_); }
+
+bool OffsetInForce::take(const Codes& codes) {
+  const auto given_here = given(codes);
+  if (given_here) number_ = *given_here;
+  return given_here.has_value();
+}
+
+void OffsetInForce::decide_address(const Codes& codes) const {
+  // fanuc.cutter.number: The offset number is that of the last D. If OFH = 1, an H in any block gives the number as
+  // well, and the value is then that of the H number. If a block has both a D and an H, the D counts.
+  if (codes.h && !codes.d) recorder_.decide(Clause::fanuc_cutter_number, ofh_);
+}
+
+const Rational& OffsetInForce::value(bool taken_anew) {
+  // fanuc.cutter.value-edited: The value in force is the one that the memory held in the last block in which the number
+  // was given (even if it was the same number again), or in which G41 or G42 came into force after G40.
+  if (recorder_.decide(Clause::fanuc_cutter_value_edited, taken_anew || evr_)) value_ = memory_.value(number_);
+  return value_;
+}
+
+CutterOffset offset_of(Recorder& recorder, CutterSide side, const Rational& value) {
+  const int of_code = side == CutterSide::left ? 1 : -1;
+  const Rational distance = abs(value);
+  // fanuc.cutter.side: G41 with a positive value and G42 with a negative value offset to the left of the movement, and
+  // the other two cases to the right. A negative value thus exchanges G41 and G42.
+  const Sign decided = recorder.decide(Clause::fanuc_cutter_side, Rational(of_code * value), distance);
+  return {decided == Sign::zero ? of_code : static_cast<int>(decided), distance, value};
 }
 
 }  // namespace toolcomp::model
