@@ -32,23 +32,31 @@ OwnedStep StepMaker::make(const spec::Block& block, Passes& passes) {
   interpreter_.require_feed(command);
   auto step = std::make_unique<Step>();
   Making now{command, passes, *step};
-  now.step.line = block.line;
-  now.step.n = block.n;
+  step->line = block.line;
+  step->n = block.n;
   read_words(now);
   find_legs(now);
   if (measures(command)) measure(now);
   make_moves(now);
   arrive(now);
   add_rest(now);
-  complete(now);
-  write_offset(now);
+  step->has_word = command.codes.any;
+  step->stops_look_ahead = command.codes.stops_look_ahead;
+  step->ends_program = command.codes.ends_program;
+  if (with_motion_) step->zero = zero();
+  step->clauses = recorder_.take_clauses();
+  if (now.write) {
+    // It counts from the next block on.
+    step->setting = memory_.write(*now.write);
+    step->setting->clauses = recorder_.take_clauses();
+  }
   return step;
 }
 
 void StepMaker::read_words(Making& now) {
   const Command& command = now.command;
   now.tip = tip_control_.read(command, length_, now.passes);
-  if (command.cycle.on) check_cycle(now);
+  if (command.cycle.on) cycles_.check(command, now.passes);
   now.compensates = shifts_system_ && (now.passes.in_force(Extent::space, command).any() ||
                                        now.passes.in_force(Extent::plane, command).any());
   const BlockWords for_passes{command, interpreter_, now.tip.directed};
@@ -63,16 +71,6 @@ void StepMaker::read_words(Making& now) {
     interpreter_.write_origins(command);
   else if (command.codes.one_shot == OneShot::data)
     now.write = memory_.read_write(command.words, interpreter_.numbers(), command.incremental);
-}
-
-void StepMaker::check_cycle(Making& now) {
-  const Passes::InForce space = now.passes.in_force(Extent::space, now.command);
-  const Passes::InForce plane = now.passes.in_force(Extent::plane, now.command);
-  try {
-    cycles_.check(now.command, {space.before || plane.before, space.after, plane.after});
-  } catch (const LeftOpen& open) {
-    leave_open_alone(recorder_, open.clause, open.message);
-  }
 }
 
 void StepMaker::find_legs(Making& now) {
@@ -123,21 +121,14 @@ void StepMaker::shift_system(Making& now) {
 }
 
 LengthCommand StepMaker::length_command(const Command& command) const {
-  LengthCommand result;
-  result.code = command.codes.length;
-  result.h = command.codes.h;
-  result.plane = command.plane;
+  const OneShot one_shot = command.codes.one_shot;
+  const bool ignored = one_shot == OneShot::machine_coordinates && command.incremental;
+  const AxisMask cancelled = goes_by_machine_coordinates(one_shot) && !ignored ? command.axes : AxisMask{0};
   // fanuc.canned-cycle.length-offset: The length offset in force after the words of the block counts for the whole
   // hole. The axes of the hole event are those of the end of the block, with this offset. In type C the drilling axis
   // counts as the axis that the block names.
-  result.axes = command.cycle.drills ? static_cast<AxisMask>(1U << cycles_.axis()) : command.axes;
-  result.has_word = command.codes.any;
-  const std::optional<Compensation>& code = command.codes.compensation;
-  result.cutter_code = code && (*code == Compensation::cancel || is_cutter_side(*code));
-  const OneShot one_shot = command.codes.one_shot;
-  const bool ignored = one_shot == OneShot::machine_coordinates && command.incremental;
-  if (goes_by_machine_coordinates(one_shot) && !ignored) result.cancelled = command.axes;
-  return result;
+  const AxisMask axes = command.cycle.drills ? with(0, cycles_.axis()) : command.axes;
+  return {command.codes, command.plane, axes, cancelled};
 }
 
 // The legs of a G37 block, and what it writes or the alarm it ends with.
@@ -169,11 +160,10 @@ void StepMaker::make_moves(Making& now) {
 
 void StepMaker::make_holes(Making& now) {
   recorder_.decide(Clause::fanuc_canned_cycle_length_offset, now.plan.changed);
-  for (const Hole& hole : cycles_.drill(now.command, interpreter_.position())) {
-    Leg leg;
-    leg.end = hole.end;
-    const Move end = move(tool_offset_.shifted(leg), now.plan.at_end, tip_control_.at(hole.end), false);
-    now.step.holes.push_back({end, cycles_.axis(), hole.point_r, hole.bottom});
+  now.step.holes = cycles_.drill(now.command, interpreter_.position());
+  for (DrilledHole& hole : now.step.holes) {
+    const Leg& leg = hole.move.leg;
+    hole.move = move(tool_offset_.shifted(leg), now.plan.at_end, tip_control_.at(leg.end), false);
   }
 }
 
@@ -224,22 +214,6 @@ void StepMaker::add_rest(Making& now) {
   const ToolAtEnd tool = known ? tip_control_.standing() : tip_control_.at(rest.end);
   now.step.rest = move(rest, now.plan.at_end, tool, now.tip.tip_control);
   if (!now.step.moves.empty()) now.step.rest.feed = now.step.moves.back().feed;
-}
-
-void StepMaker::complete(Making& now) {
-  Step& step = now.step;
-  step.has_word = now.command.codes.any;
-  step.stops_look_ahead = now.command.codes.stops_look_ahead;
-  step.ends_program = now.command.codes.ends_program;
-  if (with_motion_) step.zero = zero();
-  step.clauses = recorder_.take_clauses();
-}
-
-// What the block writes counts from the next one on.
-void StepMaker::write_offset(Making& now) {
-  if (!now.write) return;
-  now.step.setting = memory_.write(*now.write);
-  now.step.setting->clauses = recorder_.take_clauses();
 }
 
 }  // namespace toolcomp::model

@@ -62,10 +62,6 @@ class StepMaker {
   void make_holes(Making& now);
   void arrive(Making& now);
   void add_rest(Making& now);
-  void complete(Making& now);
-  void write_offset(Making& now);
-  // A block in the drilling mode of canned cycles, where its words allow it.
-  void check_cycle(Making& now);
 
   // The move of a leg, with what the length offset and the tool say about its end.
   [[nodiscard]] Move move(const Leg& leg, const LengthVector& offset, const ToolAtEnd& tool, bool machine) const;

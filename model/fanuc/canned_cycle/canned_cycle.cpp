@@ -10,8 +10,6 @@ namespace {
 
 constexpr int kMostRepeats = 9999;
 
-bool in(AxisMask mask, std::size_t axis) { return axis != spec::Axes::kNone && (mask >> axis & 1U) != 0; }
-
 bool is_number_of_holes(const Rational& number) {
   return denominator(number) == 1 && number >= 0 && number <= kMostRepeats;
 }
@@ -30,7 +28,12 @@ void CannedCycle::read(Command& command) {
   block.on = cycle_.has_value();
   if (!block.on) return;
   const std::size_t axis = axis_of(command.plane);
-  if (!was_on) begin(axis);
+  if (!was_on) {
+    axis_ = axis;
+    point_r_ = bottom_ = {};
+    depth_of_cut_ = false;
+    rise_ = {};
+  }
   same_axis_ = axis == axis_ && axis != spec::Axes::kNone;
   const bool own = !codes.letters_are_data && !is_shift(codes.one_shot);
   // fanuc.canned-cycle.drills: A block in the drilling mode drills if it has an axis word or R, the block with the
@@ -46,13 +49,6 @@ void CannedCycle::read(Command& command) {
   if (!block.drills) return;
   block.repeats = repeats(codes, command.words);
   keep(command);
-}
-
-void CannedCycle::begin(std::size_t axis) {
-  axis_ = axis;
-  point_r_ = bottom_ = {};
-  depth_of_cut_ = false;
-  rise_ = {};
 }
 
 void CannedCycle::change_mode(const Codes& codes) {
@@ -95,17 +91,19 @@ void CannedCycle::keep(const Command& command) {
   if (const spec::Decimal* const q = words.find('Q')) depth_of_cut_ = plain(*q) != 0;
 }
 
-void CannedCycle::check(const Command& command, const CompensationOn& compensation) const {
+void CannedCycle::check(const Command& command, const Passes& passes) const {
+  const Passes::InForce space = passes.in_force(Extent::space, command);
+  const Passes::InForce plane = passes.in_force(Extent::plane, command);
   const CycleBlock& block = command.cycle;
   const OneShot one_shot = command.codes.one_shot;
   // fanuc.canned-cycle.reference-return: G28, G29, G30 or G30.1 in a block in the drilling mode raises PS0044.
   if (is_reference_return(one_shot) || one_shot == OneShot::from_reference)
     raise(recorder_, Clause::fanuc_canned_cycle_reference_return, AlarmCause::reference_in_cycle);
-  if (compensation.after_in_space || compensation.after_in_plane) {
+  if (space.after || plane.after) {
     // fanuc.canned-cycle.in-compensation: A block in the drilling mode raises an alarm if a compensation by radius is
     // on after it. The alarm is FORBIDDEN_IN_3D_COMPENSATION if that is one of G41.2 G42.2 G41.3 G41.6 G42.6, and
     // FORBIDDEN_IN_CUTTER_COMPENSATION under G41 or G42.
-    throw Alarm(recorder_.decide(Clause::fanuc_canned_cycle_in_compensation, compensation.after_in_space)
+    throw Alarm(recorder_.decide(Clause::fanuc_canned_cycle_in_compensation, space.after)
                     ? AlarmCause::forbidden_in_compensation
                     : AlarmCause::forbidden_in_cutter_compensation);
   }
@@ -118,10 +116,13 @@ void CannedCycle::check(const Command& command, const CompensationOn& compensati
   // before it are given as if this block were absent; for a drilling axis other than that of the mode, and for one that
   // the machine does not have. In a block that drills it holds for a number of repeats that is no whole number from 0
   // to 9999, and, except with K0, for G99 under G87.
-  if (other_code || compensation.before || !same_axis_ || (block.drills && !is_number_of_holes(block.repeats)) ||
-      (drills && cycle_ == Cycle::back_boring && !to_initial_level_))
-    leave_open(recorder_, Clause::fanuc_canned_cycle_not_said,
-               "the manual does not say what this block does in a canned cycle");
+  if (other_code || space.before || plane.before || !same_axis_ ||
+      (block.drills && !is_number_of_holes(block.repeats)) ||
+      (drills && cycle_ == Cycle::back_boring && !to_initial_level_)) {
+    recorder_.reach(Clause::fanuc_canned_cycle_not_said);
+    leave_open_alone(recorder_, Clause::fanuc_canned_cycle_not_said,
+                     "the manual does not say what this block does in a canned cycle");
+  }
   // fanuc.canned-cycle.tool-offset: In a block in the drilling mode G45 to G48 only store the number.
   if (is_tool_offset(one_shot)) recorder_.reach(Clause::fanuc_canned_cycle_tool_offset);
   // fanuc.canned-cycle.depth-of-cut: A block that drills under G73 or G83, except with K0, raises PS0045 if Q is 0 or
@@ -132,11 +133,10 @@ void CannedCycle::check(const Command& command, const CompensationOn& compensati
 
 Position CannedCycle::place(const Command& command, const Position& from) const {
   Position end = from;
-  for (std::size_t i = 0; i < axes_.size(); ++i) {
-    if (!in(command.cycle.axes, i) || i == axis_) continue;
+  for (const std::size_t i : axes_in(command.cycle.axes)) {
+    if (i == axis_) continue;
     const char letter = axes_.letter(i);
-    const spec::Decimal& word = *command.words.find(letter);
-    const Rational value = spec::is_linear_axis(letter) ? numbers_.length(word) : numbers_.angle(word);
+    const Rational value = numbers_.of_axis(letter, *command.words.find(letter));
     // fanuc.canned-cycle.position: The axis words of the block, except that of the drilling axis, give the position of
     // the hole. Under G90 they are coordinates, under G91 the travel from the previous hole, or from where the axes
     // stand. An axis without a word stays.
@@ -148,7 +148,7 @@ Position CannedCycle::place(const Command& command, const Position& from) const 
   return end;
 }
 
-std::vector<Hole> CannedCycle::drill(const Command& command, const Position& from) {
+std::vector<DrilledHole> CannedCycle::drill(const Command& command, const Position& from) {
   if (command.cycle.only_stores()) {
     // fanuc.canned-cycle.no-hole: A block with K0 keeps its data (point R, bottom, Q) and drills nothing. It moves only
     // by a change of its length offset.
@@ -174,12 +174,13 @@ std::vector<Hole> CannedCycle::drill(const Command& command, const Position& fro
   // at the start. After the block the position is that of the last hole, at this level.
   const bool rises = recorder_.decide(Clause::fanuc_canned_cycle_return, to_initial_level_);
   rise_ = rises ? Coordinate() : initial - point_r;
-  std::vector<Hole> holes;
+  std::vector<DrilledHole> holes;
   Position at = from;
   for (Rational made = 0; made < command.cycle.repeats; made += 1) {
     at = place(command, at);
     at.at(axis_) = rises ? initial : point_r;
-    holes.push_back({at, point_r, bottom});
+    holes.push_back({Move(), axis_, point_r, bottom});
+    holes.back().move.leg.end = at;
   }
   return holes;
 }

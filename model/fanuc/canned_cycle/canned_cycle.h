@@ -3,34 +3,17 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "model/basis/number.h"
 #include "model/basis/recorder.h"
-#include "model/fanuc/program/codes.h"
+#include "model/fanuc/passes/passes.h"
 #include "model/fanuc/program/interpreter.h"
-#include "model/kinematics/coordinate.h"
-#include "model/kinematics/tool_direction.h"
-#include "spec/language/axes.h"
+#include "model/fanuc/program/step.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::model {
-
-// Whether compensations are on, in space and in the plane.
-struct CompensationOn {
-  bool before = false;
-  bool after_in_space = false;
-  bool after_in_plane = false;
-};
-
-// A hole: workpiece coordinates, setup units.
-struct Hole {
-  Position end;        // all axes behind it, the drilling axis at the level of return
-  Coordinate point_r;  // along the drilling axis
-  Coordinate bottom;
-};
 
 class CannedCycle {
  public:
@@ -39,10 +22,11 @@ class CannedCycle {
   // The mode behind the codes of the block, and the data that it gives. In the mode the command then names no axis.
   void read(Command& command);
   // The alarms of a block in the mode, in their order. Throws Alarm PS0044, FORBIDDEN_IN_3D_COMPENSATION,
-  // FORBIDDEN_IN_CUTTER_COMPENSATION, PS0045; LeftOpen where the manual does not say what happens.
-  void check(const Command& command, const CompensationOn& compensation) const;
-  // The holes of a block that drills. `from`: where it starts.
-  std::vector<Hole> drill(const Command& command, const Position& from);
+  // FORBIDDEN_IN_CUTTER_COMPENSATION, PS0045; LeftOpen where the manual does not say what happens. `passes` tell which
+  // compensation is on.
+  void check(const Command& command, const Passes& passes) const;
+  // The holes of a block that drills; their moves have an end alone. `from`: where it starts.
+  std::vector<DrilledHole> drill(const Command& command, const Position& from);
 
   // The drilling axis of the mode.
   [[nodiscard]] std::size_t axis() const { return axis_; }
@@ -55,7 +39,6 @@ class CannedCycle {
   };
 
   void change_mode(const Codes& codes);
-  void begin(std::size_t axis);
   void keep(const Command& command);
   [[nodiscard]] Rational repeats(const Codes& codes, const Words& words) const;
   [[nodiscard]] std::size_t axis_of(spec::Plane plane) const;
