@@ -15,6 +15,9 @@ using exact::Sign;
 
 using Vector = exact::Vector3;
 
+// Without its sign, which is certified.
+inline Real magnitude(const Real& value) { return value.sign() == Sign::negative ? -value : value; }
+
 // 0, 1, 2 for X, Y, Z.
 inline Real& component(Vector& v, std::size_t i) { return i == 0 ? v.x : i == 1 ? v.y : v.z; }
 inline const Real& component(const Vector& v, std::size_t i) { return i == 0 ? v.x : i == 1 ? v.y : v.z; }

@@ -12,8 +12,6 @@ Rational length_parameter(const spec::Setup& setup, std::uint32_t number, int mm
   return setup.units == spec::Units::mm ? Rational(mm) : Rational(mm) / Rational(254, 10);
 }
 
-Real magnitude(const Real& value) { return value.sign() == Sign::negative ? -value : value; }
-
 bool sets_length_offset(const std::optional<LengthCode>& code) {
   return code == LengthCode::plus || code == LengthCode::minus || code == LengthCode::cancel;
 }
@@ -135,17 +133,17 @@ ToolLengthMeasurement::Stop ToolLengthMeasurement::stop(const std::optional<Real
 Measurement ToolLengthMeasurement::measure(const Command& command, const Position& from, const Leg& leg,
                                            const MeasurementStart& start) const {
   Measurement result;
-  result.axis = axis(command);
-  const Coordinate& commanded = leg.end.at(result.axis);
-  const Real travel = (commanded - from.at(result.axis)).value();
+  const std::size_t axis = ToolLengthMeasurement::axis(command);
+  const Coordinate& commanded = leg.end.at(axis);
+  const Real travel = (commanded - from.at(axis)).value();
   const int s = sense(travel);
   const Real a = -magnitude(travel);
-  const std::optional<Rational>& position = signal_.at(result.axis);
+  const std::optional<Rational>& position = signal_.at(axis);
   const Real scale = magnitude(commanded.value()) + magnitude(travel) + Real(deceleration_ + half_zone_) +
                      (position ? magnitude(*position) : Real(0)) + magnitude(start.length) + magnitude(start.shift);
   const bool rapid = has_rapid_part(a, scale);
   const Real b = rapid ? Real(-deceleration_) : a;
-  const Stop stop = this->stop(signal(result.axis, commanded, s, start), b, scale);
+  const Stop stop = this->stop(signal(axis, commanded, s, start), b, scale);
   // A start at an irrational place (behind G43.5) on which the signal is on already: no number of a memory is
   // irrational.
   if (!b.is_rational() && !stop.measures) throw exact::Undecided();
@@ -155,7 +153,7 @@ Measurement ToolLengthMeasurement::measure(const Command& command, const Positio
     part.type = type;
     part.cause = cause;
     if (!part.shift) part.shift.emplace();
-    part.shift->at(result.axis) += s * along;
+    part.shift->at(axis) += s * along;
     result.legs.push_back(part);
   };
   if (rapid || !stop.measures) stops_at(spec::MoveType::rapid, spec::Cause::programmed, b.rational());

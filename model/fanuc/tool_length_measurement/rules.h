@@ -25,9 +25,8 @@ struct MeasurementStart {
 // What came of a measurement.
 struct Measurement {
   std::vector<Leg> legs;  // a rapid and a measuring one, or one of them; end: the commanded coordinate
-  std::size_t axis = 0;
-  Rational difference;   // programmed coordinate at which the tool stands, less the commanded one
-  bool in_zone = false;  // else PS0080, once the moves are made
+  Rational difference;    // programmed coordinate at which the tool stands, less the commanded one
+  bool in_zone = false;   // else PS0080, once the moves are made
 };
 
 // Clauses: fanuc.length-measurement.*.

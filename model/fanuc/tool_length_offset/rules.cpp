@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/fanuc/tool_length_offset/rules.h"
-
-#include <algorithm>
 #include <bit>
 
 #include "model/basis/alarm.h"
+#include "model/fanuc/tool_length_offset/tool_length_offset.h"
 
 namespace toolcomp::model {
 namespace {
-
-bool in(AxisMask mask, std::size_t axis) { return (mask >> axis & 1U) != 0; }
-AxisMask with(AxisMask mask, std::size_t axis) { return static_cast<AxisMask>(mask | 1U << axis); }
-AxisMask without(AxisMask mask, AxisMask removed) { return static_cast<AxisMask>(mask & ~removed); }
 
 AxisMask letter(const spec::Axes& axes, char axis) { return axes.has(axis) ? with(0, axes.index(axis)) : AxisMask{0}; }
 
@@ -22,8 +16,7 @@ AxisMask letter(const spec::Axes& axes, char axis) { return axes.has(axis) ? wit
 // fanuc.length-offset.replaces: A new offset replaces the one in force on its axis; it is not added to it.
 LengthVector LengthRules::offset(LengthVector before, AxisMask axes, LengthCode mode, const Rational& value) const {
   const bool plus = recorder_.decide(Clause::fanuc_length_offset_direction, mode == LengthCode::plus);
-  for (std::size_t i = 0; i < axes_.size(); ++i) {
-    if (!in(axes, i)) continue;
+  for (const std::size_t i : axes_in(axes)) {
     recorder_.decide(Clause::fanuc_length_offset_replaces, before.axis.at(i) != 0);
     before.axis.at(i) = plus ? value : Rational(-value);
   }
@@ -45,17 +38,15 @@ LengthRules::LengthRules(const spec::Setup& setup, Recorder& recorder)
 
 // fanuc.length-offset.type-a: Type A offsets Z.
 AxisMask LengthRules::affected(const LengthCommand& command, const LengthVector& before, AxisMask last) const {
-  switch (type_) {
-    case Type::a:
-      recorder_.reach(Clause::fanuc_length_offset_type_a);
-      return letter(axes_, 'Z');
-    case Type::b:
-      // fanuc.length-offset.type-b: Type B offsets the axis at right angles to the plane of the block: Z in G17, Y in
-      // G18, X in G19. Offsets given in several blocks stay on several axes.
-      recorder_.reach(Clause::fanuc_length_offset_type_b);
-      return letter(axes_, command.plane == spec::Plane::xy ? 'Z' : command.plane == spec::Plane::zx ? 'Y' : 'X');
-    case Type::c:
-      break;
+  if (type_ == Type::a) {
+    recorder_.reach(Clause::fanuc_length_offset_type_a);
+    return letter(axes_, 'Z');
+  }
+  if (type_ == Type::b) {
+    // fanuc.length-offset.type-b: Type B offsets the axis at right angles to the plane of the block: Z in G17, Y in
+    // G18, X in G19. Offsets given in several blocks stay on several axes.
+    recorder_.reach(Clause::fanuc_length_offset_type_b);
+    return letter(axes_, command.plane == spec::Plane::xy ? 'Z' : command.plane == spec::Plane::zx ? 'Y' : 'X');
   }
   // fanuc.length-offset.type-c: Type C offsets the axis that the block with G43 or G44 names.
   recorder_.reach(Clause::fanuc_length_offset_type_c);
@@ -69,15 +60,12 @@ AxisMask LengthRules::affected(const LengthCommand& command, const LengthVector&
 // names no axis to offset.
 AxisMask LengthRules::named_axes(const LengthCommand& command, const LengthVector& before) const {
   AxisMask linear = 0;
-  AxisMask offset = 0;
-  for (std::size_t i = 0; i < axes_.size(); ++i) {
-    if (in(command.axes, i) && spec::is_linear_axis(axes_.letter(i))) linear = with(linear, i);
-    if (before.axis.at(i) != 0) offset = with(offset, i);
-  }
+  for (const std::size_t i : axes_in(command.axes))
+    if (spec::is_linear_axis(axes_.letter(i))) linear = with(linear, i);
   // fanuc.length-offset.type-c-no-axis: G43 or G44 of type C in a block that names no axis raises PS0027.
   if (linear == 0) raise(recorder_, Clause::fanuc_length_offset_type_c_no_axis, AlarmCause::length_offset_without_axis);
   const bool several = std::popcount(linear) > 1;
-  const bool another = without(offset, linear) != 0;
+  const bool another = without(before.axes(), linear) != 0;
   if (several || another) {
     // fanuc.length-offset.tal: Type C on a second axis raises PS0027 with TAL = 0, and nothing is changed; with TAL = 1
     // it is allowed. A second axis means that another axis still has an offset, or that the block names two.
@@ -92,12 +80,12 @@ AxisMask LengthRules::named_axes(const LengthCommand& command, const LengthVecto
 // fanuc.length-offset.ofh: With OFH = 0 an H counts wherever it is. With OFH = 1 it counts only in a block with G43 or
 // G44.
 std::optional<std::uint32_t> LengthRules::number(const LengthCommand& command, bool active) const {
-  if (command.h) {
+  if (command.codes.h) {
     const bool ignored = recorder_.decide(Clause::fanuc_length_offset_ofh, ofh_) && !command.sets_mode();
     // fanuc.length-offset.ofh-lone-number: With OFH = 1 an H in a block without G43 and G44 is ignored. Only the number
     // on the screen changes.
     if (recorder_.decide(Clause::fanuc_length_offset_ofh_lone_number, ignored)) return std::nullopt;
-    return command.h;
+    return command.codes.h;
   }
   // fanuc.length-offset.ofh-first-without-number: With OFH = 1 a G43 or G44 without H takes H0 if no length offset is
   // in force. If one is in force, it keeps its number. This is our definition, because H is modal once G43 is active.
@@ -107,7 +95,8 @@ std::optional<std::uint32_t> LengthRules::number(const LengthCommand& command, b
   // fanuc.length-offset.one-number: There is one H number and one set of axes offset last. H0 sets these axes too. G49
   // leaves the number, so that a later G43 or G44 without H takes it again. With g49_sets_h0 in the setup, a G49
   // without H makes the number 0.
-  if (command.code == LengthCode::cancel && recorder_.decide(Clause::fanuc_length_offset_one_number, g49_sets_h0_))
+  if (command.codes.length == LengthCode::cancel &&
+      recorder_.decide(Clause::fanuc_length_offset_one_number, g49_sets_h0_))
     return 0;
   return std::nullopt;
 }
@@ -116,8 +105,7 @@ std::optional<std::uint32_t> LengthRules::number(const LengthCommand& command, b
 // fanuc.length-offset.cancel-three-axes: G49 raises PS0015 and changes nothing if three or more axes have an offset
 // that is not zero. That nothing changes is our definition.
 void LengthRules::cancel(const LengthVector& before) const {
-  const auto offset_axes = std::ranges::count_if(before.axis, [](const Rational& offset) { return offset != 0; });
-  if (recorder_.decide(Clause::fanuc_length_offset_cancel_three_axes, offset_axes >= 3))
+  if (recorder_.decide(Clause::fanuc_length_offset_cancel_three_axes, std::popcount(before.axes()) >= 3))
     throw Alarm(AlarmCause::length_offset_axes);
   recorder_.reach(Clause::fanuc_length_offset_cancel);
 }
@@ -134,9 +122,7 @@ bool LengthRules::next_block_counts() const {
 // axis that G28, G30 or G30.1 names keeps its offset up to the intermediate point and loses it on the way to the
 // reference position. Axes that are not named keep theirs. The modal code stays G43 or G44.
 AxisMask LengthRules::taken_away(AxisMask named, const LengthVector& before, AxisMask last) const {
-  AxisMask taken = 0;
-  for (std::size_t i = 0; i < axes_.size(); ++i)
-    if (in(named, i) && (in(last, i) || before.axis.at(i) != 0)) taken = with(taken, i);
+  const auto taken = static_cast<AxisMask>(named & (last | before.axes()));
   recorder_.decide(Clause::fanuc_length_offset_machine_position_cancels, taken != 0);
   return taken;
 }
@@ -147,7 +133,7 @@ AxisMask LengthRules::taken_away(AxisMask named, const LengthVector& before, Axi
 // vector then comes back in the first following block without these codes is our definition.
 AxisMask LengthRules::in_next_block(const LengthCommand& command, const LengthAxes& axes) const {
   AxisMask result = axes.last;
-  const bool waits = command.cutter_code && (result & axes.cancelled) != 0;
+  const bool waits = command.has_cutter_code() && (result & axes.cancelled) != 0;
   if (recorder_.decide(Clause::fanuc_length_offset_not_restored_with_cutter_code, waits))
     result = without(result, axes.cancelled);
   if ((result & axes.cancelled) != 0) recorder_.reach(Clause::fanuc_length_offset_restored_in_next_block);
@@ -158,7 +144,7 @@ AxisMask LengthRules::in_next_block(const LengthCommand& command, const LengthAx
 // only stores number and mode. With EVO = 1 number and mode act in the next block, on the axes offset last
 // (fanuc.length-offset.evo-axes), which the block with the cutter code does not change.
 bool LengthRules::only_stored(const LengthCommand& command, AxisMask affected, AxisMask cancelled) const {
-  const bool waits = command.cutter_code && (affected & cancelled) != 0;
+  const bool waits = command.has_cutter_code() && (affected & cancelled) != 0;
   return recorder_.decide(Clause::fanuc_length_offset_number_only_stored, waits);
 }
 

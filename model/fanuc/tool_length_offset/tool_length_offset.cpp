@@ -1,47 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/fanuc/tool_length_offset/tool_length_offset.h"
 
-#include <algorithm>
-
 namespace toolcomp::model {
 
 ToolLengthOffset::ToolLengthOffset(const spec::Setup& setup, const OffsetMemory& memory, Recorder& recorder)
     : memory_(memory), recorder_(recorder), rules_(setup, recorder) {}
-
-bool ToolLengthOffset::axis_offset() const {
-  return std::ranges::any_of(vector_.axis, [](const Rational& offset) { return offset != 0; });
-}
 
 LengthPlan ToolLengthOffset::plan(const LengthCommand& command) {
   const LengthVector before = vector_;
   const std::optional<std::uint32_t> number = rules_.number(command, active());
   if (number) number_ = *number;
 
-  if (command.code == LengthCode::cancel)
-    cancel();
-  else if (command.sets_mode() || number)
+  if (command.codes.length == LengthCode::cancel) {
+    rules_.cancel(vector_);
+    mode_ = LengthCode::cancel;
+    vector_ = {};
+    axes_ = {};
+  } else if (command.sets_mode() || number) {
     take(command);
-  else if (active() && command.has_word)
+  } else if (active() && command.codes.any) {
     next_block(command);
+  }
 
   LengthPlan plan;
   plan.on_way = vector_;
-  if (command.cancelled != 0 && active()) take_away(command.cancelled);
+  if (command.cancelled != 0 && active()) {
+    // The mode stays.
+    const AxisMask taken = rules_.taken_away(command.cancelled, vector_, axes_.last);
+    for (const std::size_t i : axes_in(taken)) vector_.axis.at(i) = 0;
+    axes_.cancelled = static_cast<AxisMask>(axes_.cancelled | taken);
+  }
   plan.at_end = vector_;
   plan.changed = plan.at_end != before;
   return plan;
 }
 
-void ToolLengthOffset::cancel() {
-  rules_.cancel(vector_);
-  mode_ = LengthCode::cancel;
-  vector_ = {};
-  axes_ = {};
-}
-
 void ToolLengthOffset::take(const LengthCommand& command) {
   const bool starts = !active();
-  if (command.sets_mode()) mode_ = *command.code;
+  if (command.sets_mode()) mode_ = *command.codes.length;
   if (tip_control()) {
     axes_ = {};
     vector_.along_tool = memory_.h(number_);
@@ -70,14 +66,7 @@ void ToolLengthOffset::next_block(const LengthCommand& command) {
 void ToolLengthOffset::apply(AxisMask axes) {
   if (axes == 0) return;
   vector_ = rules_.offset(vector_, axes, mode_, memory_.h(number_));
-  axes_.cancelled = static_cast<AxisMask>(axes_.cancelled & ~axes);
-}
-
-void ToolLengthOffset::take_away(AxisMask named) {
-  const AxisMask taken = rules_.taken_away(named, vector_, axes_.last);
-  for (std::size_t i = 0; i < vector_.axis.size(); ++i)
-    if ((taken >> i & 1U) != 0) vector_.axis.at(i) = 0;
-  axes_.cancelled = static_cast<AxisMask>(axes_.cancelled | taken);
+  axes_.cancelled = without(axes_.cancelled, axes);
 }
 
 }  // namespace toolcomp::model

@@ -1,46 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/fanuc/tool_offset/tool_offset.h"
 
-#include <algorithm>
+#include <utility>
 
 #include "model/basis/alarm.h"
 
 namespace toolcomp::model {
-namespace {
-
-bool in(AxisMask mask, std::size_t axis) { return (mask >> axis & 1U) != 0; }
-
-}  // namespace
-
 ToolOffset::ToolOffset(const spec::Setup& setup, const OffsetMemory& memory, Recorder& recorder)
     : memory_(memory),
       recorder_(recorder),
       axes_(setup.axes),
       by_length_number_(setup.bit(5001, 5) && !setup.bit(5001, 2)),
-      offset_(setup, memory, recorder),
-      rules_(recorder) {}
-
-void ToolOffset::put(Leg& leg) const {
-  if (!shifted_) return;
-  leg.shift = shift_;
-}
+      offset_(setup, memory, recorder) {}
 
 Leg ToolOffset::shifted(Leg leg) const {
-  put(leg);
+  if (nonzero(shift_) != 0) leg.shift = shift_;
   return leg;
 }
 
-void ToolOffset::take_away(AxisMask axes) {
-  bool taken = false;
-  for (std::size_t i = 0; i < axes_.size(); ++i) {
-    if (!in(axes, i) || shift_.at(i) == 0) continue;
-    shift_.at(i) = 0;
-    taken = true;
-  }
+void ToolOffset::take_away(AxisMask named) {
+  const auto taken = static_cast<AxisMask>(named & nonzero(shift_));
+  for (const std::size_t i : axes_in(taken)) shift_.at(i) = 0;
   // fanuc.tool-offset.machine-position: G53 takes away the shift of the axes that it names, in its own move. G28, G30
   // and G30.1 reach the intermediate point with the shift and take it away on the way to the reference position.
-  recorder_.decide(Clause::fanuc_tool_offset_machine_position, taken);
-  shifted_ = std::ranges::any_of(shift_, [](const Rational& shift) { return shift != 0; });
+  recorder_.decide(Clause::fanuc_tool_offset_machine_position, taken != 0);
 }
 
 Rational ToolOffset::value(const LengthState& length) const {
@@ -48,33 +31,30 @@ Rational ToolOffset::value(const LengthState& length) const {
   // fanuc.tool-offset.number: OFH and TPH decide which number counts. With OFH = 0 and TPH = 0 it is the D number, with
   // OFH = 0 and TPH = 1 it is the H number, the one of the length offset. With OFH = 1 it is the number of cutter
   // compensation, which D and H both set (fanuc.cutter.number), and TPH means nothing.
-  const bool by_h = recorder_.decide(Clause::fanuc_tool_offset_number, number.of_h);
-  return by_h ? memory_.h(number.number) : memory_.d(number.number);
+  recorder_.decide(Clause::fanuc_tool_offset_number, number.of_h);
+  return memory_.value(number);
 }
 
 void ToolOffset::lengthen(const Command& command, const Interpreter& interpreter, const Rational& value, Leg& leg) {
-  const Rational by = rules_.lengthening(command.codes.one_shot, value);
+  const Rational by = lengthening(command.codes.one_shot, value);
   if (leg.arc) {
-    const LengthenedArc made = rules_.arc(command, interpreter.numbers(), leg.travel, by);
+    const LengthenedArc made = this->arc(command, interpreter.numbers(), leg.travel, by);
     spec::Arc<Real>& arc = *leg.arc;
     if (made.is_point) arc.sweep.reset();
     arc.radius.reset();
     const std::size_t axis = axes_.index(made.axis);
     arc.center.set(axis, arc.center[axis] + Real(made.by));
   }
-  for (std::size_t i = 0; i < axes_.size(); ++i) {
-    if (!in(command.axes, i)) continue;
+  for (const std::size_t i : axes_in(command.axes)) {
     const Real travel = (leg.end.at(i) - interpreter.position().at(i)).value();
-    shift_.at(i) += rules_.shift(command, axes_.letter(i), travel, by);
+    shift_.at(i) += shift_by(command, axes_.letter(i), travel, by);
   }
-  shifted_ = std::ranges::any_of(shift_, [](const Rational& shift) { return shift != 0; });
 }
 
 void ToolOffset::apply(const Command& command, const Interpreter& interpreter, const LengthState& length,
                        std::vector<Leg>& legs) {
   offset_.take(command.codes);
   const std::array<Rational, spec::kMaxAxes> before = shift_;
-  const bool was_shifted = shifted_;
   if (is_tool_offset(command.codes.one_shot)) {
     // fanuc.tool-offset.number-by-h: With TPH = 1 (and OFH = 0) G45 to G48 may be used only while the length offset is
     // cancelled. If G43 or G44 is in force after the codes of the block, they raise G45_LENGTH_OFFSET, with or without
@@ -94,12 +74,12 @@ void ToolOffset::apply(const Command& command, const Interpreter& interpreter, c
       lengthen(command, interpreter, value(length), legs.front());
     }
   }
-  if (!was_shifted && !shifted_) return;
+  if (nonzero(before) == 0 && nonzero(shift_) == 0) return;
 
   for (Leg& leg : legs) {
     // A reference return keeps the shift up to its intermediate point.
     if (&leg == &legs.back() && goes_by_machine_coordinates(command.codes.one_shot)) take_away(command.axes);
-    put(leg);
+    leg = shifted(std::move(leg));
     for (std::size_t i = 0; i < axes_.size(); ++i) {
       const char letter = axes_.letter(i);
       if (is_space_axis(letter)) component(leg.travel, space_index(letter)) += Real(shift_.at(i) - before.at(i));

@@ -3,13 +3,11 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <vector>
 
 #include "model/basis/recorder.h"
 #include "model/fanuc/program/interpreter.h"
-#include "model/fanuc/program/offset_in_force.h"
-#include "model/fanuc/tool_offset/rules.h"
+#include "model/fanuc/program/offset_memory.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::model {
@@ -38,22 +36,35 @@ class ToolOffset {
   [[nodiscard]] const Rational& shift(std::size_t axis) const { return shift_.at(axis); }
 
  private:
+  // The arc with its radius changed.
+  struct LengthenedArc {
+    char axis = 'X';        // on which its centre moves
+    Rational by;            // by this, setup units
+    bool is_point = false;  // the radius is 0
+  };
+
+  // rules.cpp
+  // By how much one of G45 to G48 lengthens a travel, with the offset value in force.
+  [[nodiscard]] Rational lengthening(OneShot code, const Rational& value) const;
+  // What is added to the position of an axis that the block names, where its travel is lengthened.
+  [[nodiscard]] Rational shift_by(const Command& command, char axis, const Real& travel, const Rational& by) const;
+  // `travel`: of the block as programmed, X Y Z. Throws Alarm G45_ARC or PS0038.
+  [[nodiscard]] LengthenedArc arc(const Command& command, const Numbers& numbers, const Vector& travel,
+                                  const Rational& by) const;
+
   // The offset value in force.
   [[nodiscard]] Rational value(const LengthState& length) const;
   // The leg as the axes run it, their shift with it. Throws Alarm G45_ARC or PS0038.
   void lengthen(const Command& command, const Interpreter& interpreter, const Rational& value, Leg& leg);
   // G53, G28, G30, G30.1: the axes they name lose their shift.
-  void take_away(AxisMask axes);
-  void put(Leg& leg) const;
+  void take_away(AxisMask named);
 
   const OffsetMemory& memory_;
   Recorder& recorder_;
   spec::Axes axes_;
   bool by_length_number_;  // 5001#5 with 5001#2 = 0
   OffsetInForce offset_;   // else by the number of cutter compensation
-  ToolOffsetRules rules_;
   std::array<Rational, spec::kMaxAxes> shift_;
-  bool shifted_ = false;  // some axis is
 };
 
 }  // namespace toolcomp::model
