@@ -2,6 +2,7 @@
 #include "model/fanuc/engine.h"
 
 #include <memory>
+#include <type_traits>
 #include <utility>
 
 #include "model/basis/alarm.h"
@@ -35,17 +36,64 @@ struct Engine::State {
     if (motions != nullptr) motions->stand(maker.zero(), 0, {});
   }
 
-  void run(const spec::Block& block);
-  void finish();
+  void run(const spec::Block& block) {
+    reporter.at(block);
+    recorder.at(block.line);
+    OwnedStep step = maker.make(block, compensation);
+    const bool ends = step->ends_program;
+    compensation.put(std::move(step));
+    report_made();
+    // fanuc.program.end: M02 and M30 end the program after their block, and so does the end of the text.
+    if (recorder.decide(Clause::fanuc_program_end, ends)) finish();
+  }
+
+  void finish() {
+    compensation.end();
+    report_made();
+    stopped = true;
+  }
+
   // What the passes have made.
-  void report_made();
+  void report_made() {
+    while (const auto step = compensation.next()) {
+      if (step->alarm) stopped = true;
+      reporter.report(*step);
+    }
+  }
+
   // Runs `work`, and ends the run if it raises an alarm or cannot decide.
   template <class Work>
-  void guarded(const Work& work);
+  void guarded(const Work& work) {
+    try {
+      work();
+    } catch (const Alarm& alarm) {
+      fail(alarm);
+    } catch (const LeftOpen& open) {
+      fail(open);
+    } catch (const exact::Undecided&) {
+      stopped = true;
+      reporter.report_undecided();
+    }
+  }
+
   // First the blocks that wait are made and given, as if this block were absent. If one of them raises an alarm now,
   // that alarm ends the run instead. Otherwise this one is given (fanuc.cutter.order-of-alarms).
-  void fail(const Alarm& alarm);
-  void fail(const LeftOpen& open);
+  template <class Fault>
+  void fail(const Fault& fault) {
+    stopped = true;
+    spec::ClauseList clauses = recorder.take_clauses();
+    guarded([&] {
+      finish();
+      // A clause that stands alone applies once the blocks before it have gone out.
+      if constexpr (std::is_same_v<Fault, LeftOpen>) {
+        if (clauses.empty()) {
+          recorder.reach(fault.clause);
+          clauses = recorder.take_clauses();
+        }
+      }
+      reporter.report(fault, clauses);
+    });
+  }
 
   spec::Setup setup;
   Recorder& recorder;
@@ -70,66 +118,5 @@ void Engine::end() {
 }
 
 bool Engine::stopped() const { return state_->stopped; }
-
-template <class Work>
-void Engine::State::guarded(const Work& work) {
-  try {
-    work();
-  } catch (const Alarm& alarm) {
-    fail(alarm);
-  } catch (const LeftOpen& open) {
-    fail(open);
-  } catch (const exact::Undecided&) {
-    stopped = true;
-    reporter.report_undecided();
-  }
-}
-
-void Engine::State::fail(const Alarm& alarm) {
-  stopped = true;
-  const spec::ClauseList clauses = recorder.take_clauses();
-  guarded([&] {
-    finish();
-    reporter.report(alarm, clauses);
-  });
-}
-
-void Engine::State::fail(const LeftOpen& open) {
-  stopped = true;
-  spec::ClauseList clauses = recorder.take_clauses();
-  guarded([&] {
-    finish();
-    // A clause that stands alone applies once the blocks before it have gone out.
-    if (clauses.empty()) {
-      recorder.reach(open.clause);
-      clauses = recorder.take_clauses();
-    }
-    reporter.report(open, clauses);
-  });
-}
-
-void Engine::State::run(const spec::Block& block) {
-  reporter.at(block);
-  recorder.at(block.line);
-  OwnedStep step = maker.make(block, compensation);
-  const bool ends = step->ends_program;
-  compensation.put(std::move(step));
-  report_made();
-  // fanuc.program.end: M02 and M30 end the program after their block, and so does the end of the text.
-  if (recorder.decide(Clause::fanuc_program_end, ends)) finish();
-}
-
-void Engine::State::report_made() {
-  while (const auto step = compensation.next()) {
-    if (step->alarm) stopped = true;
-    reporter.report(*step);
-  }
-}
-
-void Engine::State::finish() {
-  compensation.end();
-  report_made();
-  stopped = true;
-}
 
 }  // namespace toolcomp::model

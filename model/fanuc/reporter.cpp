@@ -6,19 +6,6 @@
 #include "spec/language/run_end.h"
 
 namespace toolcomp::model {
-namespace {
-
-Warning branch_warning() {
-  Warning warning{"posture-branch", "the axes cannot follow the plane to the commanded positions", {}};
-  // fanuc.tool-posture.branch-mismatch: If the end pair found along the great circle is not the one that has to be
-  // reached, the block runs under conventional control, with the warning posture-branch. The warning comes just before
-  // the own move of the block and the samples of that move, after every inserted move there and after
-  // ARC_PLANE_MISMATCH.
-  warning.clauses.add(Clause::fanuc_tool_posture_branch_mismatch);
-  return warning;
-}
-
-}  // namespace
 
 Reporter::Reporter(const spec::Setup& setup, Recorder& recorder, EventSink& sink, std::uint32_t samples,
                    MotionSink* motions)
@@ -42,16 +29,18 @@ Event Reporter::event_of_step(spec::EventKind kind) const {
   event.kind = kind;
   event.line = step_->line;
   event.n = step_->n;
+  event.clauses = step_->clauses;
   return event;
 }
 
 template <class Fault>
-Event Reporter::event_of(spec::EventKind kind, const Fault& fault) const {
+Event Reporter::event_of(spec::EventKind kind, const Fault& fault, const spec::ClauseList& clauses) const {
   Event event;
   event.kind = kind;
   event.line = fault.line != 0 ? fault.line : line_;
   event.n = fault.line != 0 ? fault.n : n_;
   event.message = fault.message;
+  event.clauses = clauses;
   return event;
 }
 
@@ -59,7 +48,15 @@ void Reporter::report(const Step& step) {
   step_ = &step;
   if (step.warning) report(*step.warning);
   for (const Move& move : step.moves) {
-    if (move.inside && move.inside->branch_differs) report(branch_warning());
+    if (move.inside && move.inside->branch_differs) {
+      Warning warning{"posture-branch", "the axes cannot follow the plane to the commanded positions", {}};
+      // fanuc.tool-posture.branch-mismatch: If the end pair found along the great circle is not the one that has to be
+      // reached, the block runs under conventional control, with the warning posture-branch. The warning comes just
+      // before the own move of the block and the samples of that move, after every inserted move there and after
+      // ARC_PLANE_MISMATCH.
+      warning.clauses.add(Clause::fanuc_tool_posture_branch_mismatch);
+      report(warning);
+    }
     tip_moves_.take(move);
   }
   for (const DrilledHole& hole : step.holes) report(hole);
@@ -91,7 +88,6 @@ void Reporter::report(const Move& move, std::shared_ptr<const InsideMove> inside
   if (move.tool.reported) event.tool_axis = {move.tool.unit.x, move.tool.unit.y, move.tool.unit.z};
   event.arc = move.leg.arc;
   if (event.type != spec::MoveType::rapid) event.feed = move.feed;
-  event.clauses = step_->clauses;
   sink_.on(event);
 }
 
@@ -103,9 +99,8 @@ void Reporter::report(const DrilledHole& hole) {
     if (spec::is_linear_axis(axes_.letter(i)) && i != hole.axis) event.point.set(i, at);
     event.axes.set(i, at + hole.move.length.at(i));
   }
-  const Rational shift = leg.shift ? leg.shift->at(hole.axis) : Rational(0);
+  const Rational shift = leg.shift_of(hole.axis);
   event.hole = {hole.axis, hole.point_r.value() + shift, hole.bottom.value() + shift, leg.actual(hole.axis).value()};
-  event.clauses = step_->clauses;
   sink_.on(event);
 }
 
@@ -120,7 +115,6 @@ void Reporter::report(const OffsetSetting& setting) {
   Event event = event_of_step(spec::EventKind::setting);
   event.setting = setting.name;
   event.value = setting.value;
-  event.clauses = step_->clauses;
   event.clauses.add(setting.clauses);
   sink_.on(event);
 }
@@ -134,32 +128,25 @@ void Reporter::report(const Warning& warning) {
 }
 
 void Reporter::report(const Alarm& alarm, const spec::ClauseList& clauses) {
-  Event event = event_of(spec::EventKind::alarm, alarm);
+  Event event = event_of(spec::EventKind::alarm, alarm, clauses);
   spec::end_run(event, alarm.cause, alarm.message, numbers_);
-  event.clauses = clauses;
   event.unmade = alarm.unmade;
   event.value = alarm.crossing;
   sink_.on(event);
 }
 
 void Reporter::report(const LeftOpen& open, const spec::ClauseList& clauses) {
-  Event event = event_of(spec::EventKind::undecided, open);
+  Event event = event_of(spec::EventKind::undecided, open, clauses);
   event.number = spec::info(open.clause).id;
   event.permitted = {true, true, true};
-  event.clauses = clauses;
   sink_.on(event);
 }
 
 void Reporter::report_undecided() {
-  Event event;
-  event.kind = spec::EventKind::undecided;
-  event.line = recorder_.line();
-  if (event.line == line_) event.n = n_;
-  event.number = spec::info(recorder_.latest()).id;
-  event.permitted = {true, true, true};
-  event.message = "the sign of a decision by this clause could not be certified";
-  event.clauses = recorder_.take_clauses();
-  sink_.on(event);
+  LeftOpen open(recorder_.latest(), "the sign of a decision by this clause could not be certified");
+  open.line = recorder_.line();
+  if (open.line == line_) open.n = n_;
+  report(open, recorder_.take_clauses());
 }
 
 }  // namespace toolcomp::model
