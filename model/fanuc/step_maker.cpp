@@ -134,8 +134,8 @@ LengthCommand StepMaker::length_command(const Command& command) const {
 // The legs of a G37 block, and what it writes or the alarm it ends with.
 void StepMaker::measure(Making& now) {
   const std::size_t axis = ToolLengthMeasurement::axis(now.command);
-  const MeasurementStart start{now.plan.at_end.axis.at(axis), tool_offset_.shift(axis), length_.minus()};
-  Measurement measured = measurement_.measure(now.command, interpreter_.position(), now.legs.front(), start);
+  Measurement measured = measurement_.measure(now.command, interpreter_.position(), now.legs.front(),
+                                              now.plan.at_end.axis.at(axis), length_.minus());
   if (measured.in_zone)
     now.write = memory_.measured(length_.number(), measured.difference);
   else
@@ -199,7 +199,7 @@ void StepMaker::arrive(Making& now) {
     // The programmed position is where the measurement has stopped, the shift of the tool offset apart.
     const std::size_t axis = ToolLengthMeasurement::axis(now.command);
     const Leg& leg = now.legs.back();
-    const Rational by = leg.shift->at(axis) - tool_offset_.shift(axis);
+    const Rational by = leg.shift_of(axis) - tool_offset_.shift(axis);
     interpreter_.stand(axis, leg.end.at(axis) + Coordinate(by));
   }
   if (!now.tip.tip_control) tip_control_.follow(interpreter_.position());

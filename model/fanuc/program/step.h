@@ -30,10 +30,9 @@ struct Leg {
   // By axis, actual minus programmed position at the end: tool offset G45–G48, or where a measuring move stopped.
   std::optional<std::array<Rational, spec::kMaxAxes>> shift;
 
+  [[nodiscard]] Rational shift_of(std::size_t axis) const { return shift ? shift->at(axis) : 0; }
   // Where the tool is at the end, before compensation and length offset.
-  [[nodiscard]] Coordinate actual(std::size_t axis) const {
-    return shift ? end.at(axis) + Coordinate(shift->at(axis)) : end.at(axis);
-  }
+  [[nodiscard]] Coordinate actual(std::size_t axis) const { return end.at(axis) + Coordinate(shift_of(axis)); }
 };
 
 // A leg with everything that length offset, tool direction and compensation say about its end.

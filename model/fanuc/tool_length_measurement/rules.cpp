@@ -12,10 +12,6 @@ Rational length_parameter(const spec::Setup& setup, std::uint32_t number, int mm
   return setup.units == spec::Units::mm ? Rational(mm) : Rational(mm) / Rational(254, 10);
 }
 
-bool sets_length_offset(const std::optional<LengthCode>& code) {
-  return code == LengthCode::plus || code == LengthCode::minus || code == LengthCode::cancel;
-}
-
 }  // namespace
 
 void ToolLengthMeasurement::read(const Command& command, std::uint32_t number, bool cutter) const {
@@ -36,7 +32,7 @@ void ToolLengthMeasurement::read(const Command& command, std::uint32_t number, b
     raise(recorder_, Clause::fanuc_length_measurement_axis, AlarmCause::measurement_axis);
   // fanuc.length-measurement.with-length-code: G43, G44 or G49 in the block with G37 raises MEASUREMENT_FORMAT, if the
   // block raises none of PS0082, PS0081 and PS0083.
-  if (sets_length_offset(codes.length))
+  if (codes.length && !is_tip_control(*codes.length))
     raise(recorder_, Clause::fanuc_length_measurement_with_length_code, AlarmCause::measurement_format);
   // fanuc.length-measurement.in-cutter-compensation: G37 raises PS0036 if cutter compensation B or C is on
   // (fanuc.cutter.on) before or after the block. The other code that moves up to a signal raises it too.
@@ -81,11 +77,11 @@ ToolLengthMeasurement::ToolLengthMeasurement(const spec::Setup& setup, Recorder&
 // included), without offsets. From T on in the direction of the motion the signal stays on. T is the position of the
 // axis itself, under G43 and G44 too. The signal is not looked at before the measuring part. If the setup has no entry
 // for the axis, the signal never comes.
-std::optional<Real> ToolLengthMeasurement::signal(std::size_t axis, const Coordinate& commanded, int sense,
-                                                  const MeasurementStart& start) const {
+std::optional<Real> ToolLengthMeasurement::signal(std::size_t axis, const Leg& leg, int sense,
+                                                  const Rational& length) const {
   const std::optional<Rational>& position = signal_.at(axis);
   if (!recorder_.decide(Clause::fanuc_length_measurement_signal, position.has_value())) return std::nullopt;
-  return sense * (Coordinate(Rational(*position - start.length - start.shift)) - commanded).value();
+  return sense * (Coordinate(Rational(*position - length - leg.shift_of(axis))) - leg.end.at(axis)).value();
 }
 
 // fanuc.length-measurement.start-on-the-coordinate: If the block starts on the commanded coordinate (A = D), there is
@@ -131,7 +127,7 @@ ToolLengthMeasurement::Stop ToolLengthMeasurement::stop(const std::optional<Real
 // `programmed`. `point` is where the move ends (with the shift of G45 to G48), and `axes` adds the length offset in
 // force. A block that would have neither part makes the rapid move without travel, because it has an axis word.
 Measurement ToolLengthMeasurement::measure(const Command& command, const Position& from, const Leg& leg,
-                                           const MeasurementStart& start) const {
+                                           const Rational& length, bool minus) const {
   Measurement result;
   const std::size_t axis = ToolLengthMeasurement::axis(command);
   const Coordinate& commanded = leg.end.at(axis);
@@ -140,10 +136,10 @@ Measurement ToolLengthMeasurement::measure(const Command& command, const Positio
   const Real a = -magnitude(travel);
   const std::optional<Rational>& position = signal_.at(axis);
   const Real scale = magnitude(commanded.value()) + magnitude(travel) + Real(deceleration_ + half_zone_) +
-                     (position ? magnitude(*position) : Real(0)) + magnitude(start.length) + magnitude(start.shift);
+                     (position ? magnitude(*position) : Real(0)) + magnitude(length) + magnitude(leg.shift_of(axis));
   const bool rapid = has_rapid_part(a, scale);
   const Real b = rapid ? Real(-deceleration_) : a;
-  const Stop stop = this->stop(signal(axis, commanded, s, start), b, scale);
+  const Stop stop = this->stop(signal(axis, leg, s, length), b, scale);
   // A start at an irrational place (behind G43.5) on which the signal is on already: no number of a memory is
   // irrational.
   if (!b.is_rational() && !stop.measures) throw exact::Undecided();
@@ -166,7 +162,7 @@ Measurement ToolLengthMeasurement::measure(const Command& command, const Positio
   recorder_.reach(Clause::fanuc_length_measurement_value);
   // fanuc.length-measurement.sign: The same formula holds under G44. The manual makes no exception, though the offset
   // then does not reach the position touched.
-  recorder_.decide(Clause::fanuc_length_measurement_sign, start.minus);
+  recorder_.decide(Clause::fanuc_length_measurement_sign, minus);
   return result;
 }
 

@@ -15,13 +15,6 @@
 
 namespace toolcomp::model {
 
-// Where a measurement starts from: values of the axis that the block names, setup units.
-struct MeasurementStart {
-  Rational length;     // length offset in force on it in this block
-  Rational shift;      // of G45 to G48
-  bool minus = false;  // G44 is in force
-};
-
 // What came of a measurement.
 struct Measurement {
   std::vector<Leg> legs;  // a rapid and a measuring one, or one of them; end: the commanded coordinate
@@ -43,9 +36,10 @@ class ToolLengthMeasurement {
     return static_cast<std::size_t>(std::countr_zero(command.axes));
   }
   // Goes from the programmed position `from` towards the end of `leg` (shifted as the tool offset says) until the
-  // signal comes on. Throws LeftOpen where the block starts on the commanded coordinate.
+  // signal comes on. `length`: the length offset in force on the axis in this block; `minus`: G44 is in force. Throws
+  // LeftOpen where the block starts on the commanded coordinate.
   [[nodiscard]] Measurement measure(const Command& command, const Position& from, const Leg& leg,
-                                    const MeasurementStart& start) const;
+                                    const Rational& length, bool minus) const;
   // The feed of the measuring move, if a parameter gives it.
   [[nodiscard]] std::optional<Rational> feed() const;
 
@@ -60,8 +54,7 @@ class ToolLengthMeasurement {
   // +1 or −1 along the axis.
   [[nodiscard]] int sense(const Real& travel) const;
   // Where the signal comes on, counted like that; nothing where it never does.
-  [[nodiscard]] std::optional<Real> signal(std::size_t axis, const Coordinate& commanded, int sense,
-                                           const MeasurementStart& start) const;
+  [[nodiscard]] std::optional<Real> signal(std::size_t axis, const Leg& leg, int sense, const Rational& length) const;
   // A is where the block starts, B where the measuring part begins.
   [[nodiscard]] bool has_rapid_part(const Real& a, const Real& scale) const;
   [[nodiscard]] Stop stop(const std::optional<Real>& signal, const Real& b, const Real& scale) const;

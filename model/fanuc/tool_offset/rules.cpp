@@ -45,12 +45,11 @@ Rational ToolOffset::shift_by(const Command& command, char axis, const Real& tra
 // centre, and both components of the end in the plane, are lengthened alike. The tool's arc begins where the tool
 // stands. It has the direction and the sweep of the programmed arc, and one radius. An axis out of the plane goes by
 // the rule for straight moves.
-ToolOffset::LengthenedArc ToolOffset::arc(const Command& command, const Numbers& numbers, const Vector& travel,
-                                          const Rational& by) const {
+void ToolOffset::lengthen_arc(const Command& command, const Numbers& numbers, const Rational& by, Leg& leg) const {
   const PlaneLetters in_plane = letters(command.plane);
   const Rational first = numbers.length(command.words.find(in_plane.first_center));
   const Rational second = numbers.length(command.words.find(in_plane.second_center));
-  const PlanePoint end = in_plane_of(command.plane, travel);
+  const PlanePoint end = in_plane_of(command.plane, leg.travel);
   const bool along_first = second == 0;  // the centre lies on the first axis of the plane, seen from the start
   const Rational& radius_word = along_first ? first : second;
   const Real& along = end[along_first ? 0 : 1];
@@ -69,7 +68,11 @@ ToolOffset::LengthenedArc ToolOffset::arc(const Command& command, const Numbers&
   // exactly zero is an arc whose ends lie in its centre, without a sweep.
   const Sign side = recorder_.decide(Clause::fanuc_tool_offset_arc_radius, Real(radius + by), Real(radius + abs(by)));
   if (side == Sign::negative) throw Alarm(AlarmCause::arc_ends_in_center);
-  return {along_first ? in_plane.first : in_plane.second, radius_word < 0 ? Rational(-by) : by, side == Sign::zero};
+  spec::Arc<Real>& arc = *leg.arc;
+  if (side == Sign::zero) arc.sweep.reset();
+  arc.radius.reset();
+  const std::size_t axis = axes_.index(along_first ? in_plane.first : in_plane.second);
+  arc.center.set(axis, arc.center[axis] + Real(radius_word < 0 ? Rational(-by) : by));
 }
 
 }  // namespace toolcomp::model

@@ -6,6 +6,7 @@
 #include "model/basis/alarm.h"
 
 namespace toolcomp::model {
+
 ToolOffset::ToolOffset(const spec::Setup& setup, const OffsetMemory& memory, Recorder& recorder)
     : memory_(memory),
       recorder_(recorder),
@@ -37,14 +38,7 @@ Rational ToolOffset::value(const LengthState& length) const {
 
 void ToolOffset::lengthen(const Command& command, const Interpreter& interpreter, const Rational& value, Leg& leg) {
   const Rational by = lengthening(command.codes.one_shot, value);
-  if (leg.arc) {
-    const LengthenedArc made = this->arc(command, interpreter.numbers(), leg.travel, by);
-    spec::Arc<Real>& arc = *leg.arc;
-    if (made.is_point) arc.sweep.reset();
-    arc.radius.reset();
-    const std::size_t axis = axes_.index(made.axis);
-    arc.center.set(axis, arc.center[axis] + Real(made.by));
-  }
+  if (leg.arc) lengthen_arc(command, interpreter.numbers(), by, leg);
   for (const std::size_t i : axes_in(command.axes)) {
     const Real travel = (leg.end.at(i) - interpreter.position().at(i)).value();
     shift_.at(i) += shift_by(command, axes_.letter(i), travel, by);

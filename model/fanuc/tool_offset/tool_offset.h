@@ -36,21 +36,13 @@ class ToolOffset {
   [[nodiscard]] const Rational& shift(std::size_t axis) const { return shift_.at(axis); }
 
  private:
-  // The arc with its radius changed.
-  struct LengthenedArc {
-    char axis = 'X';        // on which its centre moves
-    Rational by;            // by this, setup units
-    bool is_point = false;  // the radius is 0
-  };
-
   // rules.cpp
   // By how much one of G45 to G48 lengthens a travel, with the offset value in force.
   [[nodiscard]] Rational lengthening(OneShot code, const Rational& value) const;
   // What is added to the position of an axis that the block names, where its travel is lengthened.
   [[nodiscard]] Rational shift_by(const Command& command, char axis, const Real& travel, const Rational& by) const;
-  // `travel`: of the block as programmed, X Y Z. Throws Alarm G45_ARC or PS0038.
-  [[nodiscard]] LengthenedArc arc(const Command& command, const Numbers& numbers, const Vector& travel,
-                                  const Rational& by) const;
+  // Changes the radius of the arc of the leg. Throws Alarm G45_ARC or PS0038.
+  void lengthen_arc(const Command& command, const Numbers& numbers, const Rational& by, Leg& leg) const;
 
   // The offset value in force.
   [[nodiscard]] Rational value(const LengthState& length) const;
