@@ -14,6 +14,11 @@ using exact::Rational;
 // The value of the decimal as it is written.
 Rational plain(const spec::Decimal& value);
 
+// A whole number of this range, both ends included.
+inline bool is_whole(const Rational& number, const Rational& first, const Rational& last) {
+  return denominator(number) == 1 && number >= first && number <= last;
+}
+
 // Values of program words in setup units: inch or mm input (G20, G21), and least input increments if a number is
 // written without decimal point (parameter 3401#0). Clauses: fanuc.program.units, fanuc.program.least-increments.
 class Numbers {

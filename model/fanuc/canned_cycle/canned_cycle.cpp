@@ -6,15 +6,6 @@
 #include "model/basis/alarm.h"
 
 namespace toolcomp::model {
-namespace {
-
-constexpr int kMostRepeats = 9999;
-
-bool is_number_of_holes(const Rational& number) {
-  return denominator(number) == 1 && number >= 0 && number <= kMostRepeats;
-}
-
-}  // namespace
 
 CannedCycle::CannedCycle(const spec::Setup& setup, const Numbers& numbers, Recorder& recorder)
     : numbers_(numbers), recorder_(recorder), axes_(setup.axes), by_plane_(setup.bit(5101, 0)) {}
@@ -117,7 +108,7 @@ void CannedCycle::check(const Command& command, const Passes& passes) const {
   // the machine does not have. In a block that drills it holds for a number of repeats that is no whole number from 0
   // to 9999, and, except with K0, for G99 under G87.
   if (other_code || space.before || plane.before || !same_axis_ ||
-      (block.drills && !is_number_of_holes(block.repeats)) ||
+      (block.drills && !is_whole(block.repeats, 0, 9999)) ||
       (drills && cycle_ == Cycle::back_boring && !to_initial_level_)) {
     recorder_.reach(Clause::fanuc_canned_cycle_not_said);
     leave_open_alone(recorder_, Clause::fanuc_canned_cycle_not_said,
@@ -149,7 +140,7 @@ Position CannedCycle::place(const Command& command, const Position& from) const 
 }
 
 std::vector<DrilledHole> CannedCycle::drill(const Command& command, const Position& from) {
-  if (command.cycle.only_stores()) {
+  if (!command.cycle.makes_holes()) {
     // fanuc.canned-cycle.no-hole: A block with K0 keeps its data (point R, bottom, Q) and drills nothing. It moves only
     // by a change of its length offset.
     recorder_.reach(Clause::fanuc_canned_cycle_no_hole);

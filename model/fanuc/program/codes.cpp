@@ -88,7 +88,6 @@ bool is_stop_by_parameter(const Rational& code, const spec::Setup& setup) {
 }
 
 void read_m(const spec::Decimal& value, const spec::Setup& setup, Codes& codes, Recorder& recorder) {
-  codes.auxiliary = true;
   const std::uint64_t code = value.digits;
   codes.ends_program = codes.ends_program || code == 2 || code == 30;
   codes.stops_look_ahead = codes.stops_look_ahead || code == 0 || code == 1 || codes.ends_program;
@@ -114,8 +113,7 @@ std::size_t additional_system(const Words& words, Recorder& recorder) {
   // fanuc.program.additional-system: G54.1 selects an additional workpiece system by P1 to P48, and without P it is P1.
   recorder.reach(Clause::fanuc_program_additional_system);
   const Rational number = words.number('P', 1);
-  if (denominator(number) != 1 || number < 1 || number > spec::kAdditionalWorkpieces)
-    throw Alarm(AlarmCause::workpiece_number);
+  if (!is_whole(number, 1, spec::kAdditionalWorkpieces)) throw Alarm(AlarmCause::workpiece_number);
   return kAdditional + static_cast<std::size_t>(numerator(number)) - 1;
 }
 
@@ -149,6 +147,7 @@ Codes read_codes(const spec::Block& block, const Words& words, const spec::Setup
   Codes codes;
   for (const spec::Word& word : block.words()) {
     codes.any = codes.any || word.address != 'O';
+    codes.auxiliary = codes.auxiliary || word.address == 'M' || word.address == 'S' || word.address == 'T';
     if (word.address == 'G') {
       const auto code = tenths(word.value);
       // fanuc.program.unknown-code: A G code that does not exist raises PS0010.
@@ -156,8 +155,6 @@ Codes read_codes(const spec::Block& block, const Words& words, const spec::Setup
         raise(recorder, Clause::fanuc_program_unknown_code, AlarmCause::unknown_code);
     } else if (word.address == 'M') {
       read_m(word.value, setup, codes, recorder);
-    } else if (word.address == 'S' || word.address == 'T') {
-      codes.auxiliary = true;
     }
   }
   // fanuc.program.address-repeated: With AD2 (3403#6) = 1 a block raises PS5074 if an address other than G, M, N and O

@@ -44,13 +44,8 @@ spec::MoveType straight(Motion motion) {
 }  // namespace
 
 Interpreter::Interpreter(const spec::Setup& setup, Recorder& recorder)
-    : setup_(setup),
-      recorder_(recorder),
-      axes_(setup.axes),
-      numbers_(setup, recorder),
-      work_(setup),
-      allowed_difference_(parameter(setup, 3410)) {
-  std::ranges::copy(by_axis(setup.position, axes_), position_.begin());
+    : setup_(setup), recorder_(recorder), numbers_(setup, recorder), work_(setup) {
+  std::ranges::copy(by_axis(setup.position, setup_.axes), position_.begin());
   // fanuc.program.feed: F is modal, and 1411 is the F at power-on unless it is 0.
   if (const auto at_start = setup.parameter(1411); at_start && !at_start->is_zero()) feed_ = plain(*at_start);
 }
@@ -76,8 +71,8 @@ Command Interpreter::read(const spec::Block& block) {
   // dwell time, limits, origins), not positions. They move nothing, turn nothing and name no axis. This holds even if
   // another code of the block counts in place of that code.
   if (!recorder_.decide(Clause::fanuc_program_letters_as_data, codes.letters_are_data)) {
-    for (std::size_t i = 0; i < axes_.size(); ++i)
-      if (words.has(axes_.letter(i))) command.axes = with(command.axes, i);
+    for (std::size_t i = 0; i < setup_.axes.size(); ++i)
+      if (words.has(setup_.axes.letter(i))) command.axes = with(command.axes, i);
     command.direction = words.has('I') || words.has('J') || words.has('K');
   }
   return command;
@@ -110,19 +105,19 @@ void Interpreter::require_feed(const Command& command) const {
 }
 
 Rational Interpreter::word(const Command& command, std::size_t axis) const {
-  const char letter = axes_.letter(axis);
+  const char letter = setup_.axes.letter(axis);
   return numbers_.of_axis(letter, *command.words.find(letter));
 }
 
 void Interpreter::go(Leg& leg, std::size_t axis, const Coordinate& to, const Real& travel) const {
   leg.end.at(axis) = to;
-  const char letter = axes_.letter(axis);
+  const char letter = setup_.axes.letter(axis);
   if (is_space_axis(letter)) component(leg.travel, space_index(letter)) = travel;
 }
 
 void Interpreter::go(Leg& leg, std::size_t axis, const Coordinate& to) const {
   // The travel of a rotary axis is nobody's concern, and may be a sum of angles.
-  go(leg, axis, to, is_space_axis(axes_.letter(axis)) ? (to - position_.at(axis)).value() : Real());
+  go(leg, axis, to, is_space_axis(setup_.axes.letter(axis)) ? (to - position_.at(axis)).value() : Real());
 }
 
 Leg Interpreter::standing(spec::MoveType type) const {
@@ -214,8 +209,8 @@ std::vector<Leg> Interpreter::return_legs(const Command& command) const {
 std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Leg& leg, bool directed,
                                                 bool compensated) {
   const PlaneLetters in_plane = letters(command.plane);
-  const std::size_t first = axes_.index(in_plane.first);
-  const std::size_t second = axes_.index(in_plane.second);
+  const std::size_t first = setup_.axes.index(in_plane.first);
+  const std::size_t second = setup_.axes.index(in_plane.second);
   const spec::Decimal* const r = command.words.find('R');
   const bool center = command.direction && !directed;
   if (r == nullptr && !center) {
@@ -254,7 +249,7 @@ std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Le
     // fanuc.program.arc-center-in-start: Without R, I J K raise PS0022 if those of the plane are zero or missing. In
     // cutter compensation C they raise PS0038 instead (fanuc.cutter-c.arc-ends-in-center).
     if (!recorder_.decide(Clause::fanuc_program_arc_center_in_start, to_first == 0 && to_second == 0))
-      geometry = arc_by_center(recorder_, start, travel, {to_first, to_second}, arc.direction, allowed_difference_);
+      geometry = arc_by_center(recorder_, start, travel, {to_first, to_second}, arc.direction, parameter(setup_, 3410));
     else if (compensated && setup_.cutter_compensation == spec::CutterCompensationType::c)
       geometry.center = start;
     else
@@ -282,12 +277,11 @@ void Interpreter::write_origins(const Command& command) {
   const std::size_t last = additional ? spec::kAdditionalWorkpieces : setup_.workpiece.size();
   // fanuc.program.origin-number: P of G10 L2 is 1 to 6 for G54 to G59, or 0 for the origin that is added to all
   // systems. P of G10 L20 is that of G54.1. Another number, or no P, raises PS0031.
-  if (recorder_.decide(Clause::fanuc_program_origin_number,
-                       denominator(number) != 1 || number < first || number > last))
+  if (recorder_.decide(Clause::fanuc_program_origin_number, !is_whole(number, first, last)))
     throw Alarm(AlarmCause::g10_workpiece);
   const std::size_t system = static_cast<std::size_t>(numerator(number)) + (additional ? setup_.workpiece.size() : 0);
-  for (std::size_t i = 0; i < axes_.size(); ++i) {
-    if (!command.words.has(axes_.letter(i))) continue;
+  for (std::size_t i = 0; i < setup_.axes.size(); ++i) {
+    if (!command.words.has(setup_.axes.letter(i))) continue;
     // fanuc.program.origin: G10 L2 and L20 write the workpiece origin of the axes that they name. Under G90 the words
     // replace the origin, under G91 they are added to it. The new origin counts from this block on. The machine stays
     // where it is. The programmed position changes, without an event.
@@ -344,14 +338,14 @@ void Interpreter::arrive(const Command& command, const std::vector<Leg>& legs) {
 }
 
 void Interpreter::shift_position(const Vector& by) {
-  for (std::size_t i = 0; i < axes_.size(); ++i)
-    if (const char letter = axes_.letter(i); is_space_axis(letter))
+  for (std::size_t i = 0; i < setup_.axes.size(); ++i)
+    if (const char letter = setup_.axes.letter(i); is_space_axis(letter))
       position_.at(i) = position_.at(i) + Coordinate(component(by, space_index(letter)));
 }
 
 void Interpreter::stand_in_space(const Vector& at) {
-  for (std::size_t i = 0; i < axes_.size(); ++i)
-    if (const char letter = axes_.letter(i); is_space_axis(letter))
+  for (std::size_t i = 0; i < setup_.axes.size(); ++i)
+    if (const char letter = setup_.axes.letter(i); is_space_axis(letter))
       position_.at(i) = Coordinate(component(at, space_index(letter)));
 }
 

@@ -19,14 +19,12 @@ namespace toolcomp::model {
 
 // What a block is to the drilling mode, as its codes leave it.
 struct CycleBlock {
-  bool on = false;      // in the drilling mode: the words of the block move nothing
-  bool drills = false;  // it has data of a hole
-  AxisMask axes = 0;    // the axis words of the hole, that of the drilling axis included
-  Rational repeats = 1;
+  bool on = false;       // in the drilling mode: the words of the block move nothing
+  bool drills = false;   // it has data of a hole
+  AxisMask axes = 0;     // the axis words of the hole, that of the drilling axis included
+  Rational repeats = 1;  // 0: data alone
 
-  // K0: data alone.
-  [[nodiscard]] bool only_stores() const { return repeats == 0; }
-  [[nodiscard]] bool makes_holes() const { return drills && !only_stores(); }
+  [[nodiscard]] bool makes_holes() const { return drills && repeats != 0; }
 };
 
 // A block with the modal words in force in it. Points into the block it was made of.
@@ -100,10 +98,8 @@ class Interpreter {
 
   const spec::Setup& setup_;
   Recorder& recorder_;
-  spec::Axes axes_;
   Numbers numbers_;
   WorkCoordinates work_;
-  Rational allowed_difference_;  // of the radii of an arc (3410), setup units; 0: any
   Position position_;
   std::array<std::optional<Coordinate>, spec::kMaxAxes> intermediate_;  // of the last G28 or G30
   std::optional<Rational> feed_;

@@ -18,21 +18,11 @@ Rational largest(unsigned whole, const spec::Setup& setup) {
 }
 
 std::optional<OffsetWrite> kind_of(std::uint64_t l, spec::OffsetMemory memory) {
+  const bool one_value = memory == spec::OffsetMemory::a;
   OffsetWrite write;
-  switch (memory) {
-    case spec::OffsetMemory::a:
-      write.h = write.d = l == 11;
-      break;
-    case spec::OffsetMemory::b:
-      write.h = write.d = l == 10 || l == 11;
-      write.wear = l == 11;
-      break;
-    case spec::OffsetMemory::c:
-      write.h = l == 10 || l == 11;
-      write.d = l == 12 || l == 13;
-      write.wear = l == 11 || l == 13;
-      break;
-  }
+  write.h = l == 11 || (l == 10 && !one_value);
+  write.d = memory == spec::OffsetMemory::c ? l == 12 || l == 13 : write.h;
+  write.wear = !one_value && (l == 11 || l == 13);
   if (!write.h && !write.d) return std::nullopt;
   return write;
 }
@@ -45,18 +35,13 @@ std::optional<OffsetWrite> offset_kind(const Words& words, spec::OffsetMemory me
 }
 
 OffsetMemory::OffsetMemory(const spec::Setup& setup, Recorder& recorder)
-    : recorder_(recorder),
-      kind_(setup.memory),
-      series_(setup.series),
-      count_(setup.offset_count),
-      geometry_limit_(largest(3, setup)),
-      wear_limit_(largest(2, setup)) {
+    : setup_(setup), recorder_(recorder), geometry_limit_(largest(3, setup)), wear_limit_(largest(2, setup)) {
   const auto fill = [this](Table& table, const std::map<std::uint32_t, spec::OffsetEntry>& from) {
     for (const auto& [number, entry] : from)
-      table[number] = {plain(entry.geometry), kind_ == spec::OffsetMemory::a ? Rational(0) : plain(entry.wear)};
+      table[number] = {plain(entry.geometry), setup_.memory == spec::OffsetMemory::a ? Rational(0) : plain(entry.wear)};
   };
   // Where H and D share their numbers, each reads its own entry where the setup gives it one.
-  if (kind_ != spec::OffsetMemory::c) {
+  if (setup_.memory != spec::OffsetMemory::c) {
     fill(h_, setup.d);
     fill(d_, setup.h);
   }
@@ -86,19 +71,19 @@ Rational OffsetMemory::applied(const Table& table, std::uint32_t number) const {
 
 std::optional<OffsetWrite> OffsetMemory::read_write(const Words& words, const Numbers& numbers,
                                                     bool incremental) const {
-  OffsetWrite write = offset_kind(words, kind_).value();  // read_codes has refused others
+  OffsetWrite write = offset_kind(words, setup_.memory).value();  // read_codes has refused others
   write.add = incremental;
   const Rational number = words.number('P', 0);
   // fanuc.memory.g10-number: P of G10 names the offset number. A number that is not whole, is 0, is beyond the memory
   // or is missing raises PS0031.
-  if (denominator(number) != 1 || number < 1 || number > count_)
+  if (!is_whole(number, 1, setup_.offset_count))
     raise(recorder_, Clause::fanuc_memory_g10_number, AlarmCause::g10_number);
   write.number = static_cast<std::uint32_t>(numerator(number));
 
   const spec::Decimal* const r = words.find('R');
   // fanuc.memory.g10-value: R of G10 is the value. Without R nothing is written, and on the 30i PS0031 is raised.
   if (!recorder_.decide(Clause::fanuc_memory_g10_value, r != nullptr)) {
-    if (series_ == spec::Series::series_30i) throw Alarm(AlarmCause::g10_number);
+    if (setup_.series == spec::Series::series_30i) throw Alarm(AlarmCause::g10_number);
     return std::nullopt;
   }
   write.value = numbers.length(*r);
@@ -112,7 +97,7 @@ std::optional<OffsetWrite> OffsetMemory::read_write(const Words& words, const Nu
 }
 
 OffsetWrite OffsetMemory::measured(std::uint32_t number, const Rational& difference) const {
-  OffsetWrite write = kind_of(11, kind_).value();  // every memory has an L11
+  OffsetWrite write = kind_of(11, setup_.memory).value();  // every memory has an L11
   // fanuc.length-measurement.store: In memory A the value itself changes, in memory B the wear value, in memory C the
   // wear value of H.
   recorder_.decide(Clause::fanuc_length_measurement_store, write.wear);
@@ -134,7 +119,7 @@ OffsetSetting OffsetMemory::write(const OffsetWrite& write) {
   if (write.h) h_[write.number][write.wear] = h;
   if (write.d) d_[write.number][write.wear] = d;
   std::string name = (write.h ? "H" : "D") + std::to_string(write.number);
-  if (kind_ != spec::OffsetMemory::a) name += write.wear ? ".wear" : ".geometry";
+  if (setup_.memory != spec::OffsetMemory::a) name += write.wear ? ".wear" : ".geometry";
   return {spec::Name(name), write.h ? h : d, {}};
 }
 

@@ -70,10 +70,8 @@ class OffsetMemory {
   [[nodiscard]] Rational applied(const Table& table, std::uint32_t number) const;
   [[nodiscard]] Rational written(const Table& table, const OffsetWrite& write) const;
 
+  const spec::Setup& setup_;
   Recorder& recorder_;
-  spec::OffsetMemory kind_;
-  spec::Series series_;
-  std::uint32_t count_;
   Rational geometry_limit_;
   Rational wear_limit_;
   Table h_;
