@@ -88,11 +88,11 @@ bool is_stop_by_parameter(const Rational& code, const spec::Setup& setup) {
 }
 
 void read_m(const spec::Decimal& value, const spec::Setup& setup, Codes& codes, Recorder& recorder) {
-  const std::uint64_t code = value.digits;
-  codes.ends_program = codes.ends_program || code == 2 || code == 30;
-  codes.stops_look_ahead = codes.stops_look_ahead || code == 0 || code == 1 || codes.ends_program;
-  codes.calls = codes.calls || code == 98;
-  codes.returns = codes.returns || code == 99;
+  const std::uint64_t number = value.digits;
+  codes.ends_program = codes.ends_program || number == 2 || number == 30;
+  codes.stops_look_ahead = codes.stops_look_ahead || number == 0 || number == 1 || codes.ends_program;
+  codes.calls = codes.calls || number == 98;
+  codes.returns = codes.returns || number == 99;
   // fanuc.program.stops-reading-ahead: M00, M01, M02 and M30 stop the control from reading ahead, and so does each M
   // code that a parameter names. Each of No. 3411 to 3420 names one M code. The pairs 3421 and 3422, 3423 and 3424, up
   // to 3431 and 3432 name all M codes from the first to the last one, these two included.
