@@ -6,6 +6,47 @@
 #include "spec/language/run_end.h"
 
 namespace toolcomp::model {
+namespace {
+
+Event event_of(const Step& step, spec::EventKind kind) {
+  Event event;
+  event.kind = kind;
+  event.line = step.line;
+  event.n = step.n;
+  event.clauses = step.clauses;
+  return event;
+}
+
+Event event_of(const Step& step, const DrilledHole& hole, const spec::Axes& axes) {
+  Event event = event_of(step, spec::EventKind::hole);
+  const Leg& leg = hole.move.leg;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const Real at = leg.actual(i).value();
+    if (spec::is_linear_axis(axes.letter(i)) && i != hole.axis) event.point.set(i, at);
+    event.axes.set(i, at + hole.move.length.at(i));
+  }
+  const Rational shift = leg.shift_of(hole.axis);
+  event.hole = {hole.axis, hole.point_r.value() + shift, hole.bottom.value() + shift, leg.actual(hole.axis).value()};
+  return event;
+}
+
+Event event_of(const Step& step, const OffsetSetting& setting) {
+  Event event = event_of(step, spec::EventKind::setting);
+  event.setting = setting.name;
+  event.value = setting.value;
+  event.clauses.add(setting.clauses);
+  return event;
+}
+
+Event event_of(const Step& step, const Warning& warning) {
+  Event event = event_of(step, spec::EventKind::warning);
+  event.number = warning.number;
+  event.message = warning.message;
+  event.clauses = warning.clauses;
+  return event;
+}
+
+}  // namespace
 
 Reporter::Reporter(const spec::Setup& setup, Recorder& recorder, EventSink& sink, std::uint32_t samples,
                    MotionSink* motions)
@@ -24,17 +65,8 @@ void Reporter::at(const spec::Block& block) {
   n_ = block.n;
 }
 
-Event Reporter::event_of_step(spec::EventKind kind) const {
-  Event event;
-  event.kind = kind;
-  event.line = step_->line;
-  event.n = step_->n;
-  event.clauses = step_->clauses;
-  return event;
-}
-
 template <class Fault>
-Event Reporter::event_of(spec::EventKind kind, const Fault& fault, const spec::ClauseList& clauses) const {
+Event Reporter::fault_event(spec::EventKind kind, const Fault& fault, const spec::ClauseList& clauses) const {
   Event event;
   event.kind = kind;
   event.line = fault.line != 0 ? fault.line : line_;
@@ -46,7 +78,7 @@ Event Reporter::event_of(spec::EventKind kind, const Fault& fault, const spec::C
 
 void Reporter::report(const Step& step) {
   step_ = &step;
-  if (step.warning) report(*step.warning);
+  if (step.warning) sink_.on(event_of(step, *step.warning));
   for (const Move& move : step.moves) {
     if (move.inside && move.inside->branch_differs) {
       Warning warning{"posture-branch", "the axes cannot follow the plane to the commanded positions", {}};
@@ -55,19 +87,19 @@ void Reporter::report(const Step& step) {
       // before the own move of the block and the samples of that move, after every inserted move there and after
       // ARC_PLANE_MISMATCH.
       warning.clauses.add(Clause::fanuc_tool_posture_branch_mismatch);
-      report(warning);
+      sink_.on(event_of(step, warning));
     }
     tip_moves_.take(move);
   }
-  for (const DrilledHole& hole : step.holes) report(hole);
+  for (const DrilledHole& hole : step.holes) sink_.on(event_of(step, hole, axes_));
   if (motions_ != nullptr) motions_->stand(step.zero, step.line, step.n);
-  if (step.setting) report(*step.setting);
+  if (step.setting) sink_.on(event_of(step, *step.setting));
   if (step.alarm) report(*step.alarm, step.clauses);
 }
 
 void Reporter::report(const Move& move, std::shared_ptr<const InsideMove> inside) {
   if (motions_ != nullptr) motions_->on({move.zero, std::move(inside), move.tip.has_value()});
-  Event event = event_of_step(spec::EventKind::move);
+  Event event = event_of(*step_, spec::EventKind::move);
   event.type = move.leg.type;
   event.cause = move.leg.cause;
   const Vector control_point = move.tip ? axes_at(move, axes_) : Vector();
@@ -91,19 +123,6 @@ void Reporter::report(const Move& move, std::shared_ptr<const InsideMove> inside
   sink_.on(event);
 }
 
-void Reporter::report(const DrilledHole& hole) {
-  Event event = event_of_step(spec::EventKind::hole);
-  const Leg& leg = hole.move.leg;
-  for (std::size_t i = 0; i < axes_.size(); ++i) {
-    const Real at = leg.actual(i).value();
-    if (spec::is_linear_axis(axes_.letter(i)) && i != hole.axis) event.point.set(i, at);
-    event.axes.set(i, at + hole.move.length.at(i));
-  }
-  const Rational shift = leg.shift_of(hole.axis);
-  event.hole = {hole.axis, hole.point_r.value() + shift, hole.bottom.value() + shift, leg.actual(hole.axis).value()};
-  sink_.on(event);
-}
-
 void Reporter::report(Event sample) {
   sample.line = step_->line;
   sample.n = step_->n;
@@ -111,24 +130,8 @@ void Reporter::report(Event sample) {
   sink_.on(sample);
 }
 
-void Reporter::report(const OffsetSetting& setting) {
-  Event event = event_of_step(spec::EventKind::setting);
-  event.setting = setting.name;
-  event.value = setting.value;
-  event.clauses.add(setting.clauses);
-  sink_.on(event);
-}
-
-void Reporter::report(const Warning& warning) {
-  Event event = event_of_step(spec::EventKind::warning);
-  event.number = warning.number;
-  event.message = warning.message;
-  event.clauses = warning.clauses;
-  sink_.on(event);
-}
-
 void Reporter::report(const Alarm& alarm, const spec::ClauseList& clauses) {
-  Event event = event_of(spec::EventKind::alarm, alarm, clauses);
+  Event event = fault_event(spec::EventKind::alarm, alarm, clauses);
   spec::end_run(event, alarm.cause, alarm.message, numbers_);
   event.unmade = alarm.unmade;
   event.value = alarm.crossing;
@@ -136,7 +139,7 @@ void Reporter::report(const Alarm& alarm, const spec::ClauseList& clauses) {
 }
 
 void Reporter::report(const LeftOpen& open, const spec::ClauseList& clauses) {
-  Event event = event_of(spec::EventKind::undecided, open, clauses);
+  Event event = fault_event(spec::EventKind::undecided, open, clauses);
   event.number = spec::info(open.clause).id;
   event.permitted = {true, true, true};
   sink_.on(event);

@@ -35,15 +35,11 @@ class Reporter {
   void report_undecided();
 
  private:
-  [[nodiscard]] Event event_of_step(spec::EventKind kind) const;
   // Of an alarm or of what is left open, in the block it names or in the one now read.
   template <class Fault>
-  [[nodiscard]] Event event_of(spec::EventKind kind, const Fault& fault, const spec::ClauseList& clauses) const;
+  [[nodiscard]] Event fault_event(spec::EventKind kind, const Fault& fault, const spec::ClauseList& clauses) const;
   void report(const Move& move, std::shared_ptr<const InsideMove> inside);
-  void report(const DrilledHole& hole);
   void report(Event sample);
-  void report(const OffsetSetting& setting);
-  void report(const Warning& warning);
 
   spec::Axes axes_;
   spec::AlarmNumbers numbers_;

@@ -29,6 +29,11 @@ constexpr PlaneLetters letters(spec::Plane plane) {
   return {'X', 'Y', 'I', 'J'};
 }
 
+// The axis at right angles to the plane.
+constexpr char normal(spec::Plane plane) {
+  return plane == spec::Plane::xy ? 'Z' : plane == spec::Plane::zx ? 'Y' : 'X';
+}
+
 // A vector of the plane among X Y Z.
 inline Vector in_space(spec::Plane plane, const PlanePoint& vector) {
   Vector result;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "model/basis/alarm.h"
+#include "model/geometry/plane.h"
 
 namespace toolcomp::model {
 
@@ -61,9 +62,7 @@ void CannedCycle::change_mode(const Codes& codes) {
 std::size_t CannedCycle::axis_of(spec::Plane plane) const {
   // fanuc.canned-cycle.drilling-axis: With FXY (5101#0) = 0 the drilling axis is Z. With FXY = 1 it is the axis at
   // right angles to the plane of the block: Z in G17, Y in G18, X in G19.
-  if (!recorder_.decide(Clause::fanuc_canned_cycle_drilling_axis, by_plane_) || plane == spec::Plane::xy)
-    return axes_.index('Z');
-  return axes_.index(plane == spec::Plane::zx ? 'Y' : 'X');
+  return axes_.index(recorder_.decide(Clause::fanuc_canned_cycle_drilling_axis, by_plane_) ? normal(plane) : 'Z');
 }
 
 Rational CannedCycle::repeats(const Codes& codes, const Words& words) const {

@@ -68,9 +68,10 @@ enum class OneShot : std::uint16_t {  // group 00
 using AxisMask = std::uint16_t;  // bit i: controlled axis i
 // An axis that the machine does not have (spec::Axes::kNone) is in no mask.
 constexpr bool in(AxisMask mask, std::size_t axis) { return (mask >> axis & 1U) != 0; }
+// With this axis as well; without these.
 constexpr AxisMask with(AxisMask mask, std::size_t axis) { return static_cast<AxisMask>(mask | 1U << axis); }
 constexpr AxisMask without(AxisMask mask, AxisMask removed) { return static_cast<AxisMask>(mask & ~removed); }
-// In order.
+// The axes of a mask, in order.
 inline std::vector<std::size_t> axes_in(AxisMask mask) {
   std::vector<std::size_t> axes;
   for (std::size_t i = 0; i < spec::kMaxAxes; ++i)

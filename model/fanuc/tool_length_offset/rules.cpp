@@ -3,6 +3,7 @@
 
 #include "model/basis/alarm.h"
 #include "model/fanuc/tool_length_offset/tool_length_offset.h"
+#include "model/geometry/plane.h"
 
 namespace toolcomp::model {
 namespace {
@@ -46,7 +47,7 @@ AxisMask LengthRules::affected(const LengthCommand& command, const LengthVector&
     // fanuc.length-offset.type-b: Type B offsets the axis at right angles to the plane of the block: Z in G17, Y in
     // G18, X in G19. Offsets given in several blocks stay on several axes.
     recorder_.reach(Clause::fanuc_length_offset_type_b);
-    return letter(axes_, command.plane == spec::Plane::xy ? 'Z' : command.plane == spec::Plane::zx ? 'Y' : 'X');
+    return letter(axes_, normal(command.plane));
   }
   // fanuc.length-offset.type-c: Type C offsets the axis that the block with G43 or G44 names.
   recorder_.reach(Clause::fanuc_length_offset_type_c);
