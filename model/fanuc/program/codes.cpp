@@ -35,9 +35,9 @@ constexpr spec::GCode kWithoutEffect[] = {kG05, kG05_1, kG08, kG09,   kG11,   kG
 
 // False if there is no such code with an effect.
 bool read_group(std::uint64_t code, Codes& codes, Recorder& recorder) {
+  const auto is = [&](std::initializer_list<spec::GCode> names) { return std::ranges::count(names, code) > 0; };
   // `slot`: the code of the group in the block so far.
-  const auto is_in = [&](std::initializer_list<spec::GCode> names, auto& slot, const auto& meaning) {
-    if (std::ranges::count(names, code) == 0) return false;
+  const auto put = [&](auto& slot, const auto& meaning) {
     // fanuc.program.last-code-of-group: If a block has several G codes of one modal group, the last one counts. G04 G10
     // G28 G29 G30 G30.1 G37 G39 G45 to G48 G52 G53 and G92 exclude each other in the same way.
     if (slot != std::remove_cvref_t<decltype(slot)>()) {
@@ -47,34 +47,38 @@ bool read_group(std::uint64_t code, Codes& codes, Recorder& recorder) {
     slot = meaning;
     return true;
   };
-  return is_in({kG00, kG01, kG02, kG03}, codes.motion, static_cast<Motion>(code)) ||
-         is_in({kG04, kG10, kG28, kG29, kG30, kG30_1, kG37, kG39, kG45, kG46, kG47, kG48, kG52, kG53, kG92},
-               codes.one_shot, static_cast<OneShot>(code)) ||
-         is_in({kG17}, codes.plane, spec::Plane::xy) || is_in({kG18}, codes.plane, spec::Plane::zx) ||
-         is_in({kG19}, codes.plane, spec::Plane::yz) || is_in({kG20}, codes.units, spec::Units::inch) ||
-         is_in({kG21}, codes.units, spec::Units::mm) ||
-         is_in({kG40, kG41, kG41_2, kG41_3, kG41_6, kG42, kG42_2, kG42_6}, codes.compensation,
-               static_cast<Compensation>(code)) ||
-         is_in({kG43, kG43_4, kG43_5, kG44, kG49}, codes.length, static_cast<LengthCode>(code)) ||
-         is_in({kG54, kG55, kG56, kG57, kG58, kG59}, codes.workpiece, (code - kG54) / 10 + 1) ||
-         is_in({kG54_1}, codes.workpiece, kAdditional) || is_in({kG80}, codes.cycle, Cycle::cancel) ||
-         is_in({kG73, kG83}, codes.cycle, Cycle::pecking) || is_in({kG87}, codes.cycle, Cycle::back_boring) ||
-         is_in({kG74, kG76, kG81, kG82, kG84, kG85, kG86, kG88, kG89}, codes.cycle, Cycle::other) ||
-         is_in({kG90}, codes.incremental, false) || is_in({kG91}, codes.incremental, true) ||
-         is_in({kG93, kG95}, codes.feed_per_minute, false) || is_in({kG94}, codes.feed_per_minute, true) ||
-         is_in({kG98}, codes.to_initial_level, true) || is_in({kG99}, codes.to_initial_level, false);
+  if (is({kG00, kG01, kG02, kG03})) return put(codes.motion, static_cast<Motion>(code));
+  if (is({kG04, kG10, kG28, kG29, kG30, kG30_1, kG37, kG39, kG45, kG46, kG47, kG48, kG52, kG53, kG92}))
+    return put(codes.one_shot, static_cast<OneShot>(code));
+  if (is({kG17})) return put(codes.plane, spec::Plane::xy);
+  if (is({kG18})) return put(codes.plane, spec::Plane::zx);
+  if (is({kG19})) return put(codes.plane, spec::Plane::yz);
+  if (is({kG20, kG21})) return put(codes.units, is({kG20}) ? spec::Units::inch : spec::Units::mm);
+  if (is({kG40, kG41, kG41_2, kG41_3, kG41_6, kG42, kG42_2, kG42_6}))
+    return put(codes.compensation, static_cast<Compensation>(code));
+  if (is({kG43, kG43_4, kG43_5, kG44, kG49})) return put(codes.length, static_cast<LengthCode>(code));
+  if (is({kG54, kG55, kG56, kG57, kG58, kG59})) return put(codes.workpiece, (code - kG54) / 10 + 1);
+  if (is({kG54_1})) return put(codes.workpiece, kAdditional);
+  if (is({kG80})) return put(codes.cycle, Cycle::cancel);
+  if (is({kG73, kG83})) return put(codes.cycle, Cycle::pecking);
+  if (is({kG87})) return put(codes.cycle, Cycle::back_boring);
+  if (is({kG74, kG76, kG81, kG82, kG84, kG85, kG86, kG88, kG89})) return put(codes.cycle, Cycle::other);
+  if (is({kG90, kG91})) return put(codes.incremental, is({kG91}));
+  if (is({kG93, kG94, kG95})) return put(codes.feed_per_minute, is({kG94}));
+  if (is({kG98, kG99})) return put(codes.to_initial_level, is({kG98}));
+  return false;
 }
 
 // False if there is no such code.
 bool read_g(std::uint64_t code, const Words& words, Codes& codes, Recorder& recorder) {
   codes.letters_are_data = codes.letters_are_data || std::ranges::count(kLettersAreData, code) > 0;
-  codes.refused_in_space = codes.refused_in_space || code == kG96 || code == kG97 || code == kG160 ||
-                           (code == kG05 && words.number('P', 0) != 10000);
   // fanuc.program.without-effect: G05 G05.1 G08 G09 G11 G13.1 G15 G22 G23 G25 G40.1 G50 G50.1 G50.2 G61 G61.1 G62 G63
   // G64 G67 G69 G96 G97 G113 G150 and G160 change nothing here. They cancel what is not supported, or they say how fast
   // and how exactly the tool runs a path, not where the path is.
   if (std::ranges::count(kWithoutEffect, code) == 0) return read_group(code, codes, recorder);
   recorder.reach(Clause::fanuc_program_without_effect);
+  codes.refused_in_space = codes.refused_in_space || code == kG96 || code == kG97 || code == kG160 ||
+                           (code == kG05 && words.number('P', 0) != 10000);
   return true;
 }
 

@@ -47,7 +47,7 @@ enum class Cycle : std::uint8_t {  // group 09
   other                            // G74 G76 G81 G82 G84 G85 G86 G88 G89
 };
 enum class OneShot : std::uint16_t {  // group 00
-  none,
+  none = 0,
   dwell = spec::kG04,
   data = spec::kG10,
   reference = spec::kG28,
