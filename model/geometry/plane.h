@@ -33,6 +33,8 @@ constexpr PlaneLetters letters(spec::Plane plane) {
 constexpr char normal(spec::Plane plane) {
   return plane == spec::Plane::xy ? 'Z' : plane == spec::Plane::zx ? 'Y' : 'X';
 }
+// The same: 0, 1, 2 for X, Y, Z.
+constexpr std::size_t normal_axis(spec::Plane plane) { return space_index(normal(plane)); }
 
 // A vector of the plane among X Y Z.
 inline Vector in_space(spec::Plane plane, const PlanePoint& vector) {

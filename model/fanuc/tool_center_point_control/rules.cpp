@@ -11,11 +11,6 @@
 namespace toolcomp::model {
 namespace {
 
-// Of X Y Z the one across the plane.
-std::size_t normal_axis(spec::Plane plane) {
-  return 3 - space_index(letters(plane).first) - space_index(letters(plane).second);
-}
-
 // The unit vector of one that is not zero and known to lie along a coordinate axis: it needs no root.
 std::optional<Vector> along_coordinate(const Vector& v) {
   for (std::size_t i = 0; i < 3; ++i) {

@@ -10,11 +10,24 @@
 namespace toolcomp::model {
 namespace {
 
-// What was decided on |VT × U|². A line along the tool has no direction in the plane.
-bool crosses(Sign decided, const Real& left2) {
-  if (decided != Sign::positive) return false;
-  if (left2.sign() != Sign::positive) throw NotFinite();  // only a forced outcome comes here
-  return true;
+// From which side the tool sees the plane of an arc: +1 or -1. Throws LeftOpen if the tool lies in it.
+int sense(Recorder& recorder, const Direction& tool, spec::Plane plane) {
+  const Real& upright = component(tool.vector, normal_axis(plane));
+  // fanuc.tool-side.arc-plane: N, the positive normal of the plane selected (Z of G17, Y of G18, X of G19), tells the
+  // sense in which an arc is seen from the tool.
+  const Sign seen = recorder.decide(Clause::fanuc_tool_side_arc_plane, upright, sqrt(tool.norm2));
+  if (seen != Sign::zero && upright.sign() == Sign::zero) throw NotFinite();  // only a forced outcome comes here
+  if (seen == Sign::zero)
+    leave_open_alone(recorder, Clause::fanuc_tool_side_arc_plane, "an arc whose plane contains the tool direction");
+  return static_cast<int>(seen);
+}
+
+bool leans(Recorder& recorder, const Direction& tool, spec::Plane plane) {
+  // fanuc.tool-side.arc-plane-mismatch: An arc in the mode gives the warning ARC_PLANE_MISMATCH if VT at the end of the
+  // block before it, or at its own end, is not at right angles to the plane selected. The warning comes once a block,
+  // right before the first move that belongs to the block; the arc runs as computed.
+  return recorder.decide(Clause::fanuc_tool_side_arc_plane_mismatch, squared_norm(in_plane_of(plane, tool.vector)),
+                         tool.norm2) != Sign::zero;
 }
 
 }  // namespace
@@ -25,13 +38,13 @@ const SideEnd* SidePlan::start_at(std::uint64_t block) const {
 }
 
 SideMode::SideMode(const spec::Setup& setup, Recorder& recorder)
-    : CornerMode(setup, recorder), shortest_(setup.parameter(19630) ? plain(*setup.parameter(19630)) : Rational(0)) {}
+    : CornerMode(setup, recorder), shortest_(parameter(setup, 19630)) {}
 
 SidePlan SideMode::next(const ToolSideBlock& block, const Step& step, std::vector<const SidePlan*> waiting) {
   waiting_ = std::move(waiting);
   const bool asked = asks(block);
   SidePlan plan;
-  plan.plane = CompensationPlane(step.rest.tool);
+  plan.plane.tool = step.rest.tool;
   plan.cancels = !asked;
   if (asked || is_on()) find_movement(block, step, plan);
   // The block right after a lone start moves there and stays in the mode; else the start raises an alarm.
@@ -85,7 +98,7 @@ void SideMode::in_mode(const ToolSideBlock& block, const Step& step, SidePlan& p
       raise(recorder_, Clause::fanuc_cutter_c_arc_ends_in_center, AlarmCause::arc_ends_in_center);
     const bool meets_first = !waiting_.empty() && plan.start_at(waiting_.front()->number) != nullptr;
     const CutterOffset offset = next_offset(block, meets_first);
-    plan.distance_before = last_.distance;
+    plan.offset_before = offset.side * last_.distance;
     if (plan.path.arc) look_at_arc(plan);
     for (SidePlan::Start& start : plan.starts) start.end.offset = offset.side * waiting(start.at).offset.distance;
     if (plan.end) plan.end->offset = offset.left();
@@ -101,20 +114,11 @@ void SideMode::in_mode(const ToolSideBlock& block, const Step& step, SidePlan& p
 // G40 or number 0.
 void SideMode::cancel(SidePlan& plan) {
   for (SidePlan::Start& start : plan.starts) start.end.offset = waiting(start.at).offset.left();
-  if (!plan.end) {
-    lone_cancel(plan);
-    return;
-  }
-  plan.part = SidePart::cancel;
-  phase_ = Phase::off;
-}
-
-// In a block that does not move in the plane at its own end.
-void SideMode::lone_cancel(SidePlan& plan) {
-  plan.part = SidePart::lone_cancel;
+  const bool at_once = plan.end || setup_.bit(5003, 1);
+  plan.part = plan.end ? SidePart::cancel : SidePart::lone_cancel;
   plan.changes = has_vector_;
-  phase_ = setup_.bit(5003, 1) || !plan.changes ? Phase::off : Phase::ending;
-  plan.leaves_corner = plan.moves_behind() && !setup_.bit(5003, 1);
+  plan.leaves_corner = plan.moves_behind() && !at_once;
+  phase_ = at_once || !has_vector_ ? Phase::off : Phase::ending;
 }
 
 // A line is asked in the plane of each corner that is still to be made, and in the one at its own end.
@@ -131,31 +135,33 @@ void SideMode::find_movement(const ToolSideBlock& block, const Step& step, SideP
     return;
   }
   const auto seen_in = [&](const CompensationPlane& plane) {
-    SideEnd line = line_end(plane, leg.travel);
-    return crosses_tool(plane, line) ? std::optional(std::move(line)) : std::nullopt;
+    return crosses_tool(plane, leg.travel) ? std::optional(line_end(plane, leg.travel)) : std::nullopt;
   };
   for (const SidePlan* w : waiting_)
     if (auto start = seen_in(w->plane)) plan.starts.push_back({w->number, std::move(*start)});
-  const SideEnd* const at_former = at_last ? plan.start_at(made_) : nullptr;
   if (!at_last || !plan.plane.is_same_as(waiting_.back()->plane))
     plan.end = seen_in(plan.plane);
-  else if (at_former != nullptr)
+  else if (const SideEnd* const at_former = plan.start_at(made_))
     plan.end = *at_former;
 }
 
-bool SideMode::crosses_tool(const CompensationPlane& plane, const SideEnd& line) const {
-  const Real& norm2 = plane.tool().norm2;
-  const Real travel2 = squared_norm(line.travel);
+// Told by |VT × U|². A line along the tool has no direction in the plane.
+bool SideMode::crosses_tool(const CompensationPlane& plane, const Vector& travel) const {
+  const Real& norm2 = plane.tool.norm2;
+  const Real left2 = squared_norm(plane.left(travel));
+  const Real travel2 = squared_norm(travel);
   // fanuc.tool-side.along-the-tool: Without a limit (19630 is zero, negative or not given), a block moves if its
   // displacement is neither zero nor parallel to the tool.
-  if (shortest_ <= 0)
-    return crosses(recorder_.decide(Clause::fanuc_tool_side_along_the_tool, line.left2, norm2 * travel2), line.left2);
-  const Rational limit2 = shortest_ * shortest_;
   // fanuc.tool-side.no-movement-limit: With 19630 positive (in setup units), a block whose ends differ by less than
   // 19630 in the compensation plane counts as one that does not move.
-  const Sign decided = recorder_.decide(Clause::fanuc_tool_side_no_movement_limit, line.left2 - limit2 * norm2,
-                                        norm2 * (travel2 + limit2));
-  return decided != Sign::negative && crosses(Sign::positive, line.left2);
+  const Rational limit2 = shortest_ * shortest_;
+  const bool limited = shortest_ > 0;
+  const Sign decided = limited ? recorder_.decide(Clause::fanuc_tool_side_no_movement_limit, left2 - limit2 * norm2,
+                                                  norm2 * (travel2 + limit2))
+                               : recorder_.decide(Clause::fanuc_tool_side_along_the_tool, left2, norm2 * travel2);
+  const bool crosses = decided == Sign::positive || (limited && decided == Sign::zero);
+  if (crosses && left2.sign() != Sign::positive) throw NotFinite();  // only a forced outcome comes here
+  return crosses;
 }
 
 CutterOffset SideMode::next_offset(const ToolSideBlock& block, bool meets_first) const {
@@ -173,26 +179,6 @@ CutterOffset SideMode::next_offset(const ToolSideBlock& block, bool meets_first)
   return offset;
 }
 
-// From which side the tool sees the plane of an arc: +1 or -1. Throws LeftOpen if the tool lies in it.
-int SideMode::sense(const Direction& tool, spec::Plane plane) const {
-  const Real& upright = component(tool.vector, third_axis(plane));
-  // fanuc.tool-side.arc-plane: N, the positive normal of the plane selected (Z of G17, Y of G18, X of G19), tells the
-  // sense in which an arc is seen from the tool.
-  const Sign seen = recorder_.decide(Clause::fanuc_tool_side_arc_plane, upright, sqrt(tool.norm2));
-  if (seen != Sign::zero && upright.sign() == Sign::zero) throw NotFinite();  // only a forced outcome comes here
-  if (seen == Sign::zero)
-    leave_open_alone(recorder_, Clause::fanuc_tool_side_arc_plane, "an arc whose plane contains the tool direction");
-  return static_cast<int>(seen);
-}
-
-bool SideMode::leans(const Direction& tool, spec::Plane plane) const {
-  // fanuc.tool-side.arc-plane-mismatch: An arc in the mode gives the warning ARC_PLANE_MISMATCH if VT at the end of the
-  // block before it, or at its own end, is not at right angles to the plane selected. The warning comes once a block,
-  // right before the first move that belongs to the block; the arc runs as computed.
-  return recorder_.decide(Clause::fanuc_tool_side_arc_plane_mismatch, squared_norm(in_plane_of(plane, tool.vector)),
-                          tool.norm2) != Sign::zero;
-}
-
 void SideMode::look_at_arc(SidePlan& plan) {
   // fanuc.tool-side.arc: The start, end and centre of an arc, also of a helix, are projected onto the compensation
   // plane, and the vector found there is added to the programmed point. The machine then runs the arc in the plane
@@ -200,13 +186,14 @@ void SideMode::look_at_arc(SidePlan& plan) {
   recorder_.reach(Clause::fanuc_tool_side_arc);
   SideArc& arc = *plan.path.arc;
   for (SidePlan::Start& start : plan.starts) {
-    arc.sense_at_start = sense(waiting(start.at).plane.tool(), arc.plane);
-    start.end = arc_start(arc);
+    const CompensationPlane& plane = waiting(start.at).plane;
+    arc.sense_at_start = sense(recorder_, plane.tool, arc.plane);
+    start.end = arc_end(plane, arc, arc.ends.start, arc.sense_at_start);
   }
-  arc.sense_at_end = sense(plan.plane.tool(), arc.plane);
+  arc.sense_at_end = sense(recorder_, plan.plane.tool, arc.plane);
   if (!plan.at_corner) arc.sense_at_start = arc.sense_at_end;
-  plan.end = arc_end(arc);
-  if (leans(before_, arc.plane) || leans(plan.plane.tool(), arc.plane)) {
+  plan.end = arc_end(plan.plane, arc, arc.ends.end, arc.sense_at_end);
+  if (leans(recorder_, before_, arc.plane) || leans(recorder_, plan.plane.tool, arc.plane)) {
     plan.warning = Warning{"ARC_PLANE_MISMATCH", "the tool is not at right angles to the plane of the arc", {}};
     plan.warning->clauses.add(Clause::fanuc_tool_side_arc_plane_mismatch);
   }

@@ -41,7 +41,7 @@ struct SidePlan {
   SidePart part = SidePart::free;
   std::uint64_t number = 0;  // of a block that makes a vector, counted from 1
   CutterOffset offset;       // at its end: of the last block that moved
-  Rational distance_before;  // and before it
+  Rational offset_before;    // of a block of the mode: with the distance before it, on its own side, to the left
   SidePath path;
   CompensationPlane plane;     // at its end
   std::vector<Start> starts;   // where it moves in the plane of an earlier corner
@@ -69,13 +69,10 @@ class SideMode : public CornerMode {
   void while_off(const ToolSideBlock& block, bool asked, SidePlan& plan);
   void in_mode(const ToolSideBlock& block, const Step& step, SidePlan& plan);
   void cancel(SidePlan& plan);
-  void lone_cancel(SidePlan& plan);
   // How the block moves at the corners before it and at its own end.
   void find_movement(const ToolSideBlock& block, const Step& step, SidePlan& plan);
-  [[nodiscard]] bool crosses_tool(const CompensationPlane& plane, const SideEnd& line) const;
+  [[nodiscard]] bool crosses_tool(const CompensationPlane& plane, const Vector& travel) const;
   void look_at_arc(SidePlan& plan);
-  [[nodiscard]] int sense(const Direction& tool, spec::Plane plane) const;
-  [[nodiscard]] bool leans(const Direction& tool, spec::Plane plane) const;
   [[nodiscard]] CutterOffset next_offset(const ToolSideBlock& block, bool meets_first) const;
   // The block makes a vector at its end.
   void make_vector(SidePlan& plan);

@@ -8,8 +8,8 @@
 namespace toolcomp::model {
 // fanuc.cutter-c.value-zero: If r = 0, the group is the zero vector alone, whatever the corner and No. 5010. There are
 // then no corner moves, not even before an arc of 180 degrees or more.
-SpaceGroup SideRules::square_to(const CompensationPlane& plane, const SideEnd& former) const {
-  if (former.offset != 0) return {{perpendicular(plane, former), Seat::square, Seat::off, false}};
+SpaceGroup SideRules::square_to(const SideEnd& former) const {
+  if (former.offset != 0) return {{perpendicular(former), Seat::square, Seat::off, false}};
   recorder_.reach(Clause::fanuc_cutter_c_value_zero);
   return {{{}, Seat::square, Seat::square, false}};
 }
@@ -32,29 +32,22 @@ std::optional<SideGroup> SideRules::in_mode(const SideCorner& corner) const {
     const auto group = offset_mode(recorder_, framed.former, framed.latter);
     return group ? std::optional(framed.lifted(*group)) : std::nullopt;
   }
-  const LineCorner lines(recorder_, corner.plane, corner.former, corner.latter);
-  const CornerClass kind = lines.classify();
-  switch (kind) {
-    // fanuc.tool-side.inner: At an inner corner of two lines, straight on included, nothing is inserted: the group is
-    // the intersection of the offset lines, however long the vector is.
-    //
-    // Straight on Vi is r n1, a simpler form.
-    case CornerClass::inner:
-    case CornerClass::straight:
-      recorder_.reach(Clause::fanuc_tool_side_inner);
-      return one(kind == CornerClass::inner ? lines.tangents_meet() : perpendicular(corner.plane, corner.former));
-    // fanuc.tool-side.outer-obtuse: At an obtuse outer corner of two lines the group is the intersection of the offset
-    // lines.
-    case CornerClass::obtuse:
-      recorder_.reach(Clause::fanuc_tool_side_outer_obtuse);
-      break;
-    // fanuc.tool-side.outer-acute: At an acute outer corner of two lines, straight back included, both offset lines are
-    // prolonged by r and joined by a straight inserted move, never an arc.
-    case CornerClass::acute:
-      recorder_.reach(Clause::fanuc_tool_side_outer_acute);
-      break;
+  const CornerClass kind = classify(recorder_, corner);
+  // fanuc.tool-side.inner: At an inner corner of two lines, straight on included, nothing is inserted: the group is the
+  // intersection of the offset lines, however long the vector is.
+  //
+  // Straight on Vi is r n1, a simpler form.
+  if (kind == CornerClass::inner || kind == CornerClass::straight) {
+    recorder_.reach(Clause::fanuc_tool_side_inner);
+    return one(kind == CornerClass::inner ? tangents_meet(corner.former, corner.latter) : perpendicular(corner.former));
   }
-  return way_round(kind, lines, false, false);
+  // fanuc.tool-side.outer-obtuse: At an obtuse outer corner of two lines the group is the intersection of the offset
+  // lines.
+  // fanuc.tool-side.outer-acute: At an acute outer corner of two lines, straight back included, both offset lines are
+  // prolonged by r and joined by a straight inserted move, never an arc.
+  recorder_.reach(kind == CornerClass::obtuse ? Clause::fanuc_tool_side_outer_obtuse
+                                              : Clause::fanuc_tool_side_outer_acute);
+  return way_round(kind, corner, false, false);
 }
 
 // fanuc.tool-side.type-b: No. 5003 bit 0, SUP, chooses the type: 0 is type A, 1 is type B.
@@ -62,24 +55,15 @@ SideRules::SideRules(const spec::Setup& setup, Recorder& recorder)
     : recorder_(recorder),
       type_b_(setup.bit(5003, 0)),
       with_perpendicular_(!setup.type_b_without_perpendicular),
-      limit_(setup.parameter(5010) ? plain(*setup.parameter(5010)) : Rational(0)) {}
+      limit_(parameter(setup, 5010)) {}
 
 // fanuc.tool-side.type-b: No. 5003 bit 0, SUP, chooses the type: 0 is type A, 1 is type B.
 SideGroup SideRules::start_or_cancel(const SideCorner& corner, bool cancels) const {
-  const auto alone = [&] {
-    return cancels ? square_to(corner.plane, corner.former) : square_to_latter(corner.plane, corner.latter);
-  };
+  const auto alone = [&] { return cancels ? square_to(corner.former) : square_to_latter(corner.latter); };
   if (!recorder_.decide(Clause::fanuc_tool_side_type_b, type_b_)) return alone();
-  std::optional<FramedCorner> framed;
-  std::optional<LineCorner> lines;
-  CornerClass kind{};
-  if (corner.of_lines()) {
-    kind = lines.emplace(recorder_, corner.plane, corner.former, corner.latter).classify();
-    if (kind == CornerClass::acute && lines->is_under_one_degree()) return alone();
-  } else {
-    framed.emplace(corner);
-    kind = classify(recorder_, framed->former, framed->latter);
-  }
+  const auto framed = corner.of_lines() ? std::nullopt : std::optional<FramedCorner>(corner);
+  const CornerClass kind = framed ? classify(recorder_, framed->former, framed->latter) : classify(recorder_, corner);
+  if (!framed && kind == CornerClass::acute && is_under_one_degree(recorder_, corner)) return alone();
   // fanuc.tool-side.start-up-inner: At a start-up of type B with an inner corner, straight on included, the group is
   // the vector perpendicular to the next block.
   // fanuc.tool-side.cancel-inner: At a cancel of type B with an inner corner, straight on included, the group is the
@@ -107,9 +91,9 @@ SideGroup SideRules::start_or_cancel(const SideCorner& corner, bool cancels) con
   // fanuc.tool-side.type-b-perpendicular: At a start-up or cancel of type B with an outer corner, the vector
   // perpendicular to the start-up or cancel block is made, as in chapter 14.
   const bool own = recorder_.decide(Clause::fanuc_tool_side_type_b_perpendicular, with_perpendicular_);
-  const bool with_former = cancels ? corner.former.arc.has_value() : own;
-  const bool with_latter = cancels ? own : corner.latter.arc.has_value();
-  if (lines) return way_round(kind, *lines, with_former, with_latter);
+  const bool with_former = cancels ? corner.former.is_arc() : own;
+  const bool with_latter = cancels ? own : corner.latter.is_arc();
+  if (!framed) return way_round(kind, corner, with_former, with_latter);
   return framed->lifted(
       model::way_round(kind, tangent(framed->former), tangent(framed->latter), with_former, with_latter));
 }
@@ -118,12 +102,12 @@ SideGroup SideRules::start_or_cancel(const SideCorner& corner, bool cancels) con
 // (fanuc.cutter-c.value-zero); an alarm of fanuc.cutter-c.direction-change-at-start-up; Q1 of A; change of side;
 // repeated code; start-up block followed by the cancel block; cancel; start-up; corner of the mode, then Q2 of A.
 std::optional<SideGroup> SideRules::by_first_rule(const SideCorner& corner, const SideCase& given) const {
-  if (corner.former.offset == 0) return square_to(corner.plane, corner.former);
+  if (corner.former.offset == 0) return square_to(corner.former);
   // fanuc.tool-side.q1: With Q1 in block A, the vector at its end is the one perpendicular to A, whether an
   // interference is found or not, even at a change of side.
   if (given.treatment == 1) {
     recorder_.reach(Clause::fanuc_tool_side_q1);
-    return square_to(corner.plane, corner.former);
+    return square_to(corner.former);
   }
   // fanuc.cutter-c.direction-change: If the side changes from A to B (G41 to G42 or back, or the sign of the value),
   // inner and outer corners are not told apart. If the offset paths of A and B have an intersection, the group is the
@@ -137,7 +121,7 @@ std::optional<SideGroup> SideRules::by_first_rule(const SideCorner& corner, cons
   // end of the start-up block is the vector perpendicular to the start-up block, whatever the type.
   if (given.repeated || (given.starts && given.cancels)) {
     recorder_.reach(given.repeated ? Clause::fanuc_tool_side_repeated : Clause::fanuc_tool_side_start_then_cancel);
-    return square_to(corner.plane, corner.former);
+    return square_to(corner.former);
   }
   if (given.cancels || given.starts) return start_or_cancel(corner, given.cancels);
   std::optional<SideGroup> group = in_mode(corner);
@@ -172,16 +156,15 @@ SideGroup SideRules::side_change(const SideCorner& corner) const {
     const FramedCorner framed(corner);
     return framed.lifted(direction_change(recorder_, framed.former, framed.latter));
   }
-  const LineCorner lines(recorder_, corner.plane, corner.former, corner.latter);
-  if (lines.is_parallel()) {
+  if (is_parallel(recorder_, corner)) {
     // fanuc.cutter-c.direction-change-without-intersection: At a change of direction without intersection (parallel
     // tangents, R' < 0, or paths that do not meet), the group is the vector perpendicular to B at its start.
     recorder_.reach(Clause::fanuc_cutter_c_direction_change_without_intersection);
-    return square_to_latter(corner.plane, corner.latter);
+    return square_to_latter(corner.latter);
   }
   // fanuc.cutter-c.direction-change-lines: Two lines at an angle always have an intersection, however far away.
   recorder_.reach(Clause::fanuc_cutter_c_direction_change_lines);
-  return one(lines.tangents_meet());
+  return one(tangents_meet(corner.former, corner.latter));
 }
 
 // fanuc.tool-side.small-difference: A vector of a group is dropped if its distance from the last vector kept is no more

@@ -31,7 +31,7 @@ class SideRules {
   // The group; nothing where an inner corner with an arc has no intersection (PS0033).
   [[nodiscard]] std::optional<SpaceGroup> group(const SideCorner& corner, const SideCase& given) const;
   // r n1 alone; of an offset of 0 the vector 0.
-  [[nodiscard]] SpaceGroup square_to(const CompensationPlane& plane, const SideEnd& former) const;
+  [[nodiscard]] SpaceGroup square_to(const SideEnd& former) const;
   // Says where a group lies, and its stop point.
   [[nodiscard]] SpaceGroup in_plane(SpaceGroup group) const;
 

@@ -6,6 +6,14 @@
 namespace toolcomp::model {
 namespace {
 
+// S, of travels that are often rational, and C.
+Real turn_of(const SideCorner& c) { return dot(c.plane.tool.vector, cross(c.former.direction, c.latter.direction)); }
+Real ahead_of(const SideCorner& c) { return dot(c.former.left, c.latter.left); }
+// |VT| |U1| |U2|, or |VT|² |U1| |U2|: what S and C are measured against.
+Real travels2(const SideCorner& c) { return squared_norm(c.former.direction) * squared_norm(c.latter.direction); }
+Real scale_of_turn(const SideCorner& c) { return sqrt(c.plane.tool.norm2 * travels2(c)); }
+Real scale_ahead(const SideCorner& c) { return c.plane.tool.norm2 * sqrt(travels2(c)); }
+
 // The stop point is the head of the intersection or of the first vector of an acute corner: the first head, or the one
 // behind the vector that stands square to the former block.
 void mark_stop(SpaceGroup& group) {
@@ -13,29 +21,16 @@ void mark_stop(SpaceGroup& group) {
   for (std::size_t i = stop + 1; i < group.size(); ++i) group[i].after_stop = true;
 }
 
+bool is_rational(const Vector& v) { return v.x.is_rational() && v.y.is_rational() && v.z.is_rational(); }
+
 }  // namespace
 
-LineCorner::LineCorner(Recorder& recorder, const CompensationPlane& plane, const SideEnd& former, const SideEnd& latter)
-    : recorder_(recorder),
-      plane_(plane),
-      former_(former),
-      latter_(latter),
-      // W1 · U2, of travels that are often rational.
-      turn_(dot(plane.tool().vector, cross(former.travel, latter.travel))),
-      ahead_(dot(former.left, latter.left)) {}
-
-Real LineCorner::scale_of_turn() const {
-  return sqrt(plane_.tool().norm2 * (squared_norm(former_.travel) * squared_norm(latter_.travel)));
-}
-Real LineCorner::scale_ahead() const {
-  return plane_.tool().norm2 * sqrt(squared_norm(former_.travel) * squared_norm(latter_.travel));
-}
-
-CornerClass LineCorner::classify() const {
+CornerClass classify(Recorder& recorder, const SideCorner& lines) {
+  const Real turn = turn_of(lines);
   // fanuc.tool-side.corner-side: A corner of two lines is inner if their angle on the side of the workpiece, in the
   // compensation plane, is over 180 degrees, and outer if it is under 180 degrees. Exactly 180 degrees is inner.
-  const Sign side =
-      recorder_.decide(Clause::fanuc_tool_side_corner_side, former_.offset > 0 ? turn_ : -turn_, scale_of_turn());
+  const Sign side = recorder.decide(Clause::fanuc_tool_side_corner_side, lines.former.offset > 0 ? turn : -turn,
+                                    scale_of_turn(lines));
   if (side == Sign::positive) return CornerClass::inner;
   const bool parallel = side == Sign::zero;
   // fanuc.tool-side.straight-or-reversal: If S = 0 (fanuc.tool-side.corner-side) and B goes straight on, the corner is
@@ -45,20 +40,27 @@ CornerClass LineCorner::classify() const {
   // compensation plane. To which class 90 degrees belongs makes no difference to the path.
   const Clause clause =
       parallel ? Clause::fanuc_tool_side_straight_or_reversal : Clause::fanuc_tool_side_obtuse_or_acute;
-  const Sign ahead = recorder_.decide(clause, ahead_, scale_ahead());
+  const Sign ahead = recorder.decide(clause, ahead_of(lines), scale_ahead(lines));
   if (ahead == Sign::negative) return CornerClass::acute;
   return parallel ? CornerClass::straight : CornerClass::obtuse;
 }
 
-bool LineCorner::is_parallel() const {
+bool is_parallel(Recorder& recorder, const SideCorner& lines) {
   // fanuc.cutter-c.direction-change-parallel: At a change of direction, paths with parallel tangents count as paths
   // without intersection. This holds straight on and straight back, for lines and arcs, even if the offset circles
   // would meet. If B goes straight back, the two perpendicular vectors are the same.
-  return recorder_.decide(Clause::fanuc_cutter_c_direction_change_parallel, turn_, scale_of_turn()) == Sign::zero;
+  return recorder.decide(Clause::fanuc_cutter_c_direction_change_parallel, turn_of(lines), scale_of_turn(lines)) ==
+         Sign::zero;
 }
 
-bool LineCorner::is_under_one_degree() const {
-  return model::is_under_one_degree(recorder_, plane_.tool().norm2 * square(turn_), square(ahead_));
+bool is_under_one_degree(Recorder& recorder, const SideCorner& lines) {
+  return is_under_one_degree(recorder, lines.plane.tool.norm2 * square(turn_of(lines)), square(ahead_of(lines)));
+}
+
+SpaceGroup way_round(CornerClass kind, const SideCorner& lines, bool with_former, bool with_latter) {
+  auto group = model::way_round(kind, lines.former, lines.latter, with_former, with_latter);
+  mark_stop(group);
+  return group;
 }
 
 Real SideGroup::squared_distance(std::size_t a, std::size_t b) const {
@@ -68,21 +70,21 @@ Real SideGroup::squared_distance(std::size_t a, std::size_t b) const {
 
 FramedCorner::FramedCorner(const SideCorner& of) : corner(of) {
   const CompensationPlane& plane = corner.plane;
-  const Vector v1 = direction_of(corner.former);
-  const Vector v2 = direction_of(corner.latter);
-  if (!known_zero(cross(v1, v2)) || plane.has_rational_tool()) {
+  const Vector& v1 = corner.former.direction;
+  const Vector& v2 = corner.latter.direction;
+  if (!known_zero(cross(v1, v2)) || is_rational(plane.tool.vector)) {
     frame = plane.frame();
-    former = seen(plane, project(frame, v1), corner.former);
-    latter = seen(plane, project(frame, v2), corner.latter);
+    former = seen(frame, corner.former);
+    latter = seen(frame, corner.latter);
     return;
   }
   // A line along a radius, or both arcs with theirs in one line, make corners of exactly 0, 90 or 180 degrees under any
   // tool: in a frame along them this is no matter of proof.
   frame = plane.frame_along(v2);
-  const Real length = sqrt(squared_norm(plane.left(v2)) / plane.tool().norm2);
+  const Real length = sqrt(squared_norm(plane.left(v2)) / plane.tool.norm2);
   const Real ratio = dot(v1, v2) / squared_norm(v2);
-  former = seen(plane, PlanePoint{ratio * length, 0}, corner.former);
-  latter = seen(plane, PlanePoint{length, 0}, corner.latter);
+  former = seen(PlanePoint{ratio * length, 0}, corner.former);
+  latter = seen(PlanePoint{length, 0}, corner.latter);
 }
 
 // Vectors square to a block have a simpler form than that in the frame.
@@ -90,19 +92,13 @@ SideGroup FramedCorner::lifted(VectorGroup group) const {
   SpaceGroup result;
   result.reserve(group.size());
   for (const CornerVector& v : group) {
-    const Vector vector = v.former == Seat::square   ? perpendicular(corner.plane, corner.former)
-                          : v.latter == Seat::square ? perpendicular(corner.plane, corner.latter)
-                                                     : lift(frame, v.vector);
+    const Vector vector = v.former == Seat::square   ? perpendicular(corner.former)
+                          : v.latter == Seat::square ? perpendicular(corner.latter)
+                                                     : v.vector[0] * frame.first + v.vector[1] * frame.second;
     result.push_back({vector, v.former, v.latter, false});
   }
   mark_stop(result);
   return {std::move(result), std::move(group)};
-}
-
-SpaceGroup way_round(CornerClass kind, const LineCorner& lines, bool with_former, bool with_latter) {
-  auto group = model::way_round(kind, lines.former(), lines.latter(), with_former, with_latter);
-  mark_stop(group);
-  return group;
 }
 
 }  // namespace toolcomp::model

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A corner in the compensation plane: the block that ends there and the one that starts there.
+// A corner in the compensation plane: the block that ends there and the one that starts there. Vectors are seen from
+// the corner, X Y Z, setup units.
 #pragma once
 
 #include <utility>
@@ -9,52 +10,31 @@
 
 namespace toolcomp::model {
 
-// A corner of two lines: its class, and the vectors that stand at it, without a frame.
-//
-// With W = VT × U for the travel U of a line: S = VT · (U1 × U2) = W1 · U2 tells the turn to the left and C = W1 · W2
-// the way ahead, both as rational as VT and the program. Vectors are seen from the corner, X Y Z, setup units.
-// Refers to what it is made of.
-class LineCorner {
- public:
-  LineCorner(Recorder& recorder, const CompensationPlane& plane, const SideEnd& former, const SideEnd& latter);
-
-  // The offset of `former` is not 0. Clauses: fanuc.tool-side.corner-side, straight-or-reversal, obtuse-or-acute.
-  [[nodiscard]] CornerClass classify() const;
-  // Whether the lines are parallel in the plane, asked where the side changes. Clause:
-  // fanuc.cutter-c.direction-change-parallel.
-  [[nodiscard]] bool is_parallel() const;
-  // Whether the angle of an acute corner is under 1°. Clause: fanuc.cutter-c.under-one-degree.
-  [[nodiscard]] bool is_under_one_degree() const;
-
-  // Vi: where the offset lines meet.
-  [[nodiscard]] Vector tangents_meet() const { return model::tangents_meet(former(), latter()); }
-  [[nodiscard]] Tangent<Vector> former() const { return tangent(former_); }
-  [[nodiscard]] Tangent<Vector> latter() const { return tangent(latter_); }
-
- private:
-  // |VT| |U1| |U2|, or |VT|² |U1| |U2|: what S and C are measured against.
-  [[nodiscard]] Real scale_of_turn() const;
-  [[nodiscard]] Real scale_ahead() const;
-  [[nodiscard]] Tangent<Vector> tangent(const SideEnd& end) const {
-    return {end.left, plane_.right(end.left), sqrt(end.left2), end.offset};
-  }
-
-  Recorder& recorder_;
-  const CompensationPlane& plane_;
-  const SideEnd& former_;
-  const SideEnd& latter_;
-  Real turn_;   // S
-  Real ahead_;  // C
-};
-
 // In the plane at the end of the former. Refers to them.
 struct SideCorner {
   const CompensationPlane& plane;
   const SideEnd& former;
   const SideEnd& latter;
 
-  [[nodiscard]] bool of_lines() const { return !former.arc && !latter.arc; }
+  [[nodiscard]] bool of_lines() const { return !former.is_arc() && !latter.is_arc(); }
 };
+
+// Of two lines, without a frame.
+//
+// With W = VT × U for the travel U of a line: S = VT · (U1 × U2) = W1 · U2 tells the turn to the left and C = W1 · W2
+// the way ahead, both as rational as VT and the program.
+
+// The class. The offset of `former` is not 0. Clauses: fanuc.tool-side.corner-side, straight-or-reversal,
+// obtuse-or-acute.
+CornerClass classify(Recorder& recorder, const SideCorner& lines);
+// Whether they are parallel in the plane, asked where the side changes. Clause:
+// fanuc.cutter-c.direction-change-parallel.
+bool is_parallel(Recorder& recorder, const SideCorner& lines);
+// Whether the angle of an acute corner is under 1°. Clause: fanuc.cutter-c.under-one-degree.
+bool is_under_one_degree(Recorder& recorder, const SideCorner& lines);
+// The way round an outer corner, with the vectors square to the former and to the latter block where they are asked
+// for.
+SpaceGroup way_round(CornerClass kind, const SideCorner& lines, bool with_former, bool with_latter);
 
 // The vectors of a corner; of one that has a frame, as they are seen there too: how far apart two of them are is told
 // there, nearer to what they are made of.
@@ -82,12 +62,8 @@ struct FramedCorner {
 
 // One vector: where the offset paths meet; r n2.
 inline SpaceGroup one(const Vector& meeting) { return {{meeting, Seat::on, Seat::on, false}}; }
-inline SpaceGroup square_to_latter(const CompensationPlane& plane, const SideEnd& latter) {
-  return {{perpendicular(plane, latter), Seat::off, Seat::square, false}};
+inline SpaceGroup square_to_latter(const SideEnd& latter) {
+  return {{perpendicular(latter), Seat::off, Seat::square, false}};
 }
-
-// The way round an outer corner of two lines, with the vectors square to the former and to the latter block where they
-// are asked for.
-SpaceGroup way_round(CornerClass kind, const LineCorner& lines, bool with_former, bool with_latter);
 
 }  // namespace toolcomp::model

@@ -4,60 +4,51 @@
 namespace toolcomp::model {
 namespace {
 
-SideEnd end_of(const SideArc& arc, const PlanePoint& from_center, int sense) {
-  SideEnd end;
-  end.arc = SideEnd::OfArc{arc.plane, from_center, sense * arc.ends.turn, arc.ends.radius};
-  return end;
+// Any axis that is not the tool's will do: nothing that follows depends on the choice.
+std::size_t axis_across(const Vector& tool) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (known_zero(component(tool, i))) return i;
+  return square(tool.x) < square(tool.y) + square(tool.z) ? 0 : 1;
 }
 
 }  // namespace
 
+PlaneFrame CompensationPlane::frame() const {
+  Vector axis;
+  component(axis, axis_across(tool.vector)) = 1;
+  return frame_along(axis);
+}
+
+PlaneFrame CompensationPlane::frame_along(const Vector& v) const {
+  const Vector in_plane = along(v);
+  const Vector first = in_plane / sqrt(squared_norm(in_plane));
+  return {first, cross(tool.unit, first)};
+}
+
 SideEnd line_end(const CompensationPlane& plane, const Vector& travel) {
+  const Vector left = plane.left(travel);
+  return {{left, cross(left, plane.tool.unit), sqrt(squared_norm(left)), 0}, travel};
+}
+
+// Its left is -turn · u(ρ), along the part of the radius in the plane, u(ρ). |VT|² u(ρ) has the length |VT| |VT × ρ|.
+SideEnd arc_end(const CompensationPlane& plane, const SideArc& arc, const PlanePoint& from_center, int sense) {
   SideEnd end;
-  end.travel = travel;
-  end.left = plane.left(travel);
-  end.left2 = squared_norm(end.left);
+  end.direction = in_space(arc.plane, from_center);
+  end.turn = sense * arc.ends.turn;
+  if (arc.ends.radius && plane.is_parallel_to(arc.plane)) end.radius = arc.ends.radius;
+  const Real& norm2 = plane.tool.norm2;
+  end.left = Real(-end.turn) * plane.along(end.direction);
+  end.length = end.radius ? norm2 * Real(*end.radius) : sqrt(norm2 * squared_norm(plane.left(end.direction)));
   return end;
 }
 
-SideEnd arc_start(const SideArc& arc) { return end_of(arc, arc.ends.start, arc.sense_at_start); }
-SideEnd arc_end(const SideArc& arc) { return end_of(arc, arc.ends.end, arc.sense_at_end); }
-
-// Of an arc, along the part in the plane of the radius from the centre, ρ: -turn · offset · u(ρ)/|u(ρ)|, of which
-// |VT|² u(ρ) has the length |VT| |VT × ρ|.
-Vector perpendicular(const CompensationPlane& plane, const SideEnd& end) {
-  if (!end.arc) return (end.offset / sqrt(end.left2)) * end.left;
-  const SideEnd::OfArc& arc = *end.arc;
-  const Vector from_center = in_space(arc.plane, arc.from_center);
-  const Real& norm2 = plane.tool().norm2;
-  const Real length = arc.radius && is_square_to(plane, arc.plane)
-                          ? norm2 * Real(*arc.radius)
-                          : sqrt(norm2 * squared_norm(plane.left(from_center)));
-  return (Rational(-arc.turn * end.offset) / length) * plane.along(from_center);
+PathEnd seen(const PlanePoint& direction, const SideEnd& end) {
+  if (end.is_arc()) return arc_end(direction, end.turn, end.radius, end.offset);
+  return {heading(direction), 0, end.offset};
 }
 
-Vector direction_of(const SideEnd& end) {
-  return end.arc ? in_space(end.arc->plane, end.arc->from_center) : end.travel;
-}
-
-PathEnd seen(const CompensationPlane& plane, const PlanePoint& direction, const SideEnd& end) {
-  if (!end.arc) {
-    PathEnd line;
-    line.heading = heading(direction);
-    line.offset = end.offset;
-    return line;
-  }
-  const SideEnd::OfArc& arc = *end.arc;
-  const auto radius = is_square_to(plane, arc.plane) ? arc.radius : std::nullopt;
-  return arc_end(direction, arc.turn, radius, end.offset);
-}
-
-OffsetPath as_run(const SideArc& arc, const Rational& offset_at_start, const Rational& offset_at_end) {
-  return arc_path(arc.ends, arc.sense_at_start * offset_at_start, arc.sense_at_end * offset_at_end);
-}
-
-bool is_square_to(const CompensationPlane& tool, spec::Plane plane) {
-  return is_zero(in_plane_of(plane, tool.tool().vector));
+PathEnd seen(const PlaneFrame& frame, const SideEnd& end) {
+  return seen(PlanePoint{dot(frame.first, end.direction), dot(frame.second, end.direction)}, end);
 }
 
 }  // namespace toolcomp::model

@@ -1,27 +1,46 @@
 // SPDX-License-Identifier: Apache-2.0
-// The programmed path of one block in space, and what a corner sees of it.
+// The plane in which the tool side is compensated at one corner, the programmed path of one block in space, and what a
+// corner sees of it in its plane.
+//
+// What lines decide is told by products with the tool direction VT of any length: no root, no frame. Only corners with
+// arcs and coordinates use lengths.
 #pragma once
 
 #include <optional>
 
 #include "model/fanuc/corner/corner.h"
-#include "model/fanuc/tool_side_compensation/compensation_plane.h"
+#include "model/kinematics/tool_direction.h"
 #include "spec/language/event.h"
 
 namespace toolcomp::model {
 
-// The third axis of a plane: 0, 1, 2 for X, Y, Z.
-constexpr std::size_t third_axis(spec::Plane plane) {
-  switch (plane) {
-    case spec::Plane::zx:
-      return 1;
-    case spec::Plane::yz:
-      return 0;
-    case spec::Plane::xy:
-      break;
+// An orthonormal frame of the plane, right-handed as seen from the tool: (first, second, VT).
+struct PlaneFrame {
+  Vector first;
+  Vector second;
+};
+
+// The compensation plane at one corner: at right angles to the tool there.
+struct CompensationPlane {
+  Direction tool;  // from tip to holder; seen from it left is left
+
+  // Known to be the same plane, without a proof.
+  [[nodiscard]] bool is_same_as(const CompensationPlane& other) const {
+    return known_zero(tool.vector - other.tool.vector);
   }
-  return 2;
-}
+  // Whether it is parallel to the plane of G17, G18 or G19: the tool stands upright there. Certified.
+  [[nodiscard]] bool is_parallel_to(spec::Plane plane) const { return is_zero(in_plane_of(plane, tool.vector)); }
+  // VT × u: to the left of u, |VT| times as long as the part of u in the plane.
+  [[nodiscard]] Vector left(const Vector& u) const { return cross(tool.vector, u); }
+  // |VT|² times the part of u in the plane.
+  [[nodiscard]] Vector along(const Vector& u) const { return tool.norm2 * u - dot(u, tool.vector) * tool.vector; }
+
+  // By Gram and Schmidt: the first vector is the part in the plane of a coordinate axis, the first one at right angles
+  // to the tool if there is such an axis.
+  [[nodiscard]] PlaneFrame frame() const;
+  // The same with the part in the plane of `v`, which is not along the tool.
+  [[nodiscard]] PlaneFrame frame_along(const Vector& v) const;
+};
 
 // A circle or helix in the plane of G17, G18 or G19, setup units.
 struct SideArc {
@@ -38,43 +57,24 @@ struct SidePath {
   std::optional<SideArc> arc;
 };
 
-// A line or an arc as the corner at one of its ends sees it, in the compensation plane there.
-struct SideEnd {
-  // An end of an arc. The centre is taken at the height of that end.
-  struct OfArc {
-    spec::Plane plane = spec::Plane::xy;
-    PlanePoint from_center;
-    int turn = 1;                    // as seen from the tool
-    std::optional<Rational> radius;  // where R gives it
-  };
+// A line or an arc as the corner at one of its ends sees it, in the compensation plane there: its tangent, of an arc
+// without `ahead`. Of a line with the travel U, `left` is W = VT × U, which is not 0.
+struct SideEnd : Tangent<Vector> {
+  Vector direction;                  // U; of an arc ρ, the radius from its centre, which is taken at the same height
+  int turn = 0;                      // 0 a line, 1 an arc counter-clockwise, -1 clockwise, as seen from the tool
+  std::optional<Rational> radius{};  // of an arc, where R gives it and the tool stands upright on its plane
 
-  Rational offset;  // signed distance of the tool to the left of the path
-  // Of a line: its travel U, W = VT × U, and |W|², which is not 0.
-  Vector travel;
-  Vector left;
-  Real left2;
-  std::optional<OfArc> arc;
+  [[nodiscard]] bool is_arc() const { return turn != 0; }
 };
 
-// Without its offset.
+// Without its offset. The line is not along the tool.
 SideEnd line_end(const CompensationPlane& plane, const Vector& travel);
-SideEnd arc_start(const SideArc& arc);
-SideEnd arc_end(const SideArc& arc);
+// The same of the end of an arc that is seen there from its centre, with the sense there.
+SideEnd arc_end(const CompensationPlane& plane, const SideArc& arc, const PlanePoint& from_center, int sense);
 
-// r n: at right angles to the path, of the length of the offset. Without a frame.
-Vector perpendicular(const CompensationPlane& plane, const SideEnd& end);
-
-// What tells the direction of an end: the travel of a line, the radius of an arc from its centre.
-Vector direction_of(const SideEnd& end);
-
-// The end in the coordinates of a frame of the plane, as corners with arcs ask for it; `direction`: that of
-// direction_of(end) there. Clause: fanuc.tool-side.arc-in-the-plane.
-PathEnd seen(const CompensationPlane& plane, const PlanePoint& direction, const SideEnd& end);
-
-// The arc in its own plane, as the machine runs it; the offsets are to the left as the tool sees them.
-OffsetPath as_run(const SideArc& arc, const Rational& offset_at_start, const Rational& offset_at_end);
-
-// Whether the tool stands at right angles to the plane. Certified.
-bool is_square_to(const CompensationPlane& tool, spec::Plane plane);
+// The end in the coordinates of a frame of the plane, as corners with arcs ask for it; `direction`: that of the end
+// there. Clause: fanuc.tool-side.arc-in-the-plane.
+PathEnd seen(const PlanePoint& direction, const SideEnd& end);
+PathEnd seen(const PlaneFrame& frame, const SideEnd& end);
 
 }  // namespace toolcomp::model

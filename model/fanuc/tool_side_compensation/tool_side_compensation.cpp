@@ -17,32 +17,20 @@
 #include "model/fanuc/passes/corner_moves.h"
 #include "model/fanuc/passes/passes.h"
 #include "model/fanuc/passes/window.h"
-#include "model/fanuc/tool_side_compensation/checked_side_path.h"
-#include "model/fanuc/tool_side_compensation/mode.h"
-#include "model/fanuc/tool_side_compensation/plane_change.h"
 #include "model/fanuc/tool_side_compensation/rules.h"
+#include "model/fanuc/tool_side_compensation/side_check.h"
 
 namespace toolcomp::model {
 namespace {
 
 std::optional<CutterSide> side_of(Compensation code) {
-  switch (code) {
-    case Compensation::cancel:
-      return CutterSide::none;
-    case Compensation::tool_side_left:
-    case Compensation::directed_tool_side_left:
-      return CutterSide::left;
-    case Compensation::tool_side_right:
-    case Compensation::directed_tool_side_right:
-      return CutterSide::right;
-    default:
-      return std::nullopt;
-  }
+  if (code == Compensation::cancel) return CutterSide::none;
+  if (!is_tool_side(code)) return std::nullopt;
+  const bool left = code == Compensation::tool_side_left || code == Compensation::directed_tool_side_left;
+  return left ? CutterSide::left : CutterSide::right;
 }
 
-bool is_directed(Compensation code) {
-  return code == Compensation::directed_tool_side_left || code == Compensation::directed_tool_side_right;
-}
+bool is_directed(Compensation code) { return code >= Compensation::directed_tool_side_left; }
 
 // Q1, Q2, Q3; 0 for any other value.
 std::optional<int> treatment(const Command& command) {
@@ -113,7 +101,7 @@ class ToolSideCompensation final : public Pass {
 
   void end() override { window_.end(); }
   OwnedStep next() override {
-    while (made_.empty())
+    while (made_.size() == waiting_)
       if (!make_next()) return nullptr;
     OwnedStep step = std::move(made_.front());
     made_.pop_front();
@@ -193,6 +181,8 @@ class ToolSideCompensation final : public Pass {
     Planned b = window_.pop();
     recorder().at(b.step->line);
     make_moves(b, *ahead);
+    b.step->clauses.add(recorder().take_clauses());
+    made_.push_back(std::move(b.step));
     return true;
   }
 
@@ -244,7 +234,6 @@ class ToolSideCompensation final : public Pass {
   void make_moves(Planned& b, const Ahead& ahead) {
     switch (b.plan.part) {
       case SidePart::free:
-        made_.push_back(std::move(b.step));
         break;
       case SidePart::idle:
         idle(b);
@@ -272,68 +261,52 @@ class ToolSideCompensation final : public Pass {
     // the tool there, or shorter than 19630 as seen there. The block ends with the last vector at its start, and the
     // next block that moves at its own end starts from that vector, without a corner.
     if (b.plan.moves_behind()) recorder().reach(Clause::fanuc_tool_side_along_the_tool_at_its_end);
-    b.step->clauses.add(recorder().take_clauses());
-    if (!waiting_.empty() && !b.plan.leaves_corner) {
-      waiting_.push_back(std::move(b.step));
+    if (waiting_ > 0 && !b.plan.leaves_corner) {
+      ++waiting_;
       return;
     }
     flush();
-    run_at_last_head(std::move(b.step));
+    run_at_last_head(*b.step);
     // The head is no longer one of the corner where the vector was made.
     if (b.plan.leaves_corner) tool_.stand({tool_.heads.front().vector});
   }
 
-  void run_at_last_head(OwnedStep step) {
-    at_head(*step, tool_.heads.back());
-    if (!step->moves.empty()) insert_corner_moves(*step, *step->words.side, tool_);
-    made_.push_back(std::move(step));
+  void run_at_last_head(Step& step) {
+    at_head(step, tool_.heads.back());
+    if (!step.moves.empty()) insert_corner_moves(step, *step.words.side, tool_);
   }
 
   // A start-up block, or a block of the mode.
   void mode_block(Planned& a, const Ahead& ahead) {
     const SidePlan& plan = a.plan;
     SpaceGroup at_end = group_at_end(a, ahead);
-    const ArcStart start = start_of_arc(plan);
-    std::optional<ToolArcRun> run = arc_run(recorder(), plan, start, tool_.heads.back(), at_end.front());
+    std::optional<ToolArcRun> run = arc_run(recorder(), plan, plane_, tool_.heads.back(), at_end.front());
     Checked checked;
     // fanuc.cutter-c.interference-check: No. 5008 bit 0, CNI, switches the interference check: 0 checks, 1 does not.
     if (plan.part == SidePart::moving &&
         recorder().decide(Clause::fanuc_cutter_c_interference_check, !setup().bit(5008, 0)))
       checked =
-          check_interference(recorder(), {}, between_vectors(plan, start), tool_.heads, at_end, run ? &*run : nullptr);
+          check_interference(recorder(), {}, between_vectors(plan, plane_), tool_.heads, at_end, run ? &*run : nullptr);
     // fanuc.cutter-c.interference-alarm: Interference of the last pair, or of the only pair, raises PS0041 (except in
     // fanuc.cutter-c.interference-without-alarm). The alarm names the block. Neither the block nor its corner moves are
     // given; the block before it runs to the first head of its own group.
     if (checked.passage == Passage::blocked)
       raise_at(a, Clause::fanuc_cutter_c_interference_alarm, AlarmCause::interference, checked.crossing);
-    Step& step = *a.step;
-    step.clauses.add(recorder().take_clauses());
     flush();
+    Step& step = *a.step;
     end_at(step.moves.front(), at_end.front(), run ? &*run : nullptr, checked.passage);
     if (plan.part == SidePart::start_up) step.moves.front().leg.cause = spec::Cause::start_up;
-    step.clauses.add(recorder().take_clauses());
     insert_corner_moves(step, *step.words.side, tool_);
     tool_ = {std::move(at_end), step.rest};
     plane_ = plan.plane;
-    waiting_.push_back(std::move(a.step));
-    if (tool_.heads.size() == 1) flush();
-  }
-
-  // How the arc leaves the corner before it, as the interference check sees it.
-  [[nodiscard]] ArcStart start_of_arc(const SidePlan& plan) const {
-    if (!plan.path.arc) return {};
-    const Rational offset = plan.offset.side * plan.distance_before;
-    const CompensationPlane& plane = plan.at_corner ? plane_ : plan.plane;
-    SideEnd end = arc_start(*plan.path.arc);
-    end.offset = plan.at_corner ? offset : plan.offset.left();
-    return {plane_, offset, seen(plane, project(plane.frame(), direction_of(end)), end)};
+    waiting_ = tool_.heads.size() > 1 ? 1 : 0;
   }
 
   // The vectors at the end of a block that makes one: those of the corner, or the one perpendicular to it.
   [[nodiscard]] SpaceGroup group_at_end(const Planned& a, const Ahead& ahead) {
     if (ahead.next == nullptr) {
       recorder().reach(ahead.why);
-      return rules_.in_plane(rules_.square_to(a.plan.plane, *a.plan.end));
+      return rules_.in_plane(rules_.square_to(*a.plan.end));
     }
     recorder().decide(Clause::fanuc_tool_side_one_block_without_movement, ahead.between);
     const SidePlan& next = ahead.next->plan;
@@ -368,10 +341,9 @@ class ToolSideCompensation final : public Pass {
     if (ahead.next == nullptr) raise_at(b, Clause::fanuc_tool_side_type_c_format, AlarmCause::type_c_format, {});
     recorder().reach(Clause::fanuc_tool_side_start_type_c);
     plane_ = b.plan.plane;
-    tool_.heads = square_to_latter(plane_, *ahead.next->plan.start_at(b.plan.number));
+    tool_.heads = square_to_latter(*ahead.next->plan.start_at(b.plan.number));
     change_alone(*b.step, spec::Cause::start_up, b.plan.changes);
-    b.step->clauses.add(recorder().take_clauses());
-    run_at_last_head(std::move(b.step));
+    run_at_last_head(*b.step);
   }
 
   // G40 or number 0.
@@ -384,8 +356,6 @@ class ToolSideCompensation final : public Pass {
     insert_corner_moves(*b.step, *b.step->words.side, tool_);
     b.step->moves.back().leg.cause = spec::Cause::cancel;
     tool_.stand({});
-    b.step->clauses.add(recorder().take_clauses());
-    made_.push_back(std::move(b.step));
   }
 
   // In a block that does not move in the plane at its own end.
@@ -402,21 +372,18 @@ class ToolSideCompensation final : public Pass {
     // PS0034.
     recorder().reach(removes ? Clause::fanuc_tool_side_cancel_type_c : Clause::fanuc_tool_side_cancel_without_movement);
     if (b.plan.leaves_corner) recorder().reach(Clause::fanuc_tool_side_along_the_tool_at_its_end);
-    b.step->clauses.add(recorder().take_clauses());
     flush();
     if (removes) change_alone(*b.step, spec::Cause::cancel, b.plan.changes);
     if (removes || !b.plan.changes) tool_.stand({});
-    run_at_last_head(std::move(b.step));
+    run_at_last_head(*b.step);
     if (b.plan.leaves_corner) tool_.stand({tool_.heads.front().vector});
   }
 
   // The vectors at which the block that waits ends are final. The corner moves up to the stop point belong to it.
   void flush() {
-    if (waiting_.empty()) return;
-    append_corner_moves(*waiting_.front(), tool_);
-    made_.push_back(std::move(waiting_.front()));
-    for (std::size_t i = 1; i < waiting_.size(); ++i) run_at_last_head(std::move(waiting_[i]));
-    waiting_.clear();
+    if (waiting_ == 0) return;
+    append_corner_moves(*made_[made_.size() - waiting_], tool_);
+    while (--waiting_ > 0) run_at_last_head(*made_[made_.size() - waiting_]);
   }
 
   // The alarm names this block, and nothing of it is given.
@@ -436,9 +403,9 @@ class ToolSideCompensation final : public Pass {
   Window<Planned> window_;
   bool stopped_ = false;  // nothing is read beyond the window before it has run
   Standing tool_;
-  CompensationPlane plane_;         // in which the vectors were made at which the tool stands
-  std::vector<OwnedStep> waiting_;  // the block that ends there, and those without a vector after it
-  std::deque<OwnedStep> made_;      // in order
+  CompensationPlane plane_;     // in which the vectors were made at which the tool stands
+  std::deque<OwnedStep> made_;  // in order
+  std::size_t waiting_ = 0;     // how many of them wait: the block that ends there, and those without a vector after it
 };
 
 }  // namespace

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Interference check where the compensation plane changes between two blocks.
+// The checks of a block of tool side compensation: where the compensation plane changes behind it, and for interference
+// between the vectors at its ends.
 #pragma once
 
-#include "model/basis/recorder.h"
+#include <optional>
+
+#include "model/fanuc/corner/interference.h"
 #include "model/fanuc/tool_side_compensation/mode.h"
-#include "spec/language/setup.h"
 
 namespace toolcomp::model {
 
@@ -25,5 +27,13 @@ class PlaneChangeCheck {
   Real cosine_;   // of the limit angle
   Real cosine2_;  // its square, rational for the angles for which it can be
 };
+
+// `before`: the plane in which the vectors at the start of the block were made.
+
+// Of an arc: as the tool runs it between two heads. Clause: fanuc.tool-side.arc-as-run.
+std::optional<ToolArcRun> arc_run(Recorder& recorder, const SidePlan& block, const CompensationPlane& before,
+                                  const SpaceVector& from, const SpaceVector& to);
+// Clause: fanuc.tool-side.interference-in-the-plane.
+CheckedPath between_vectors(const SidePlan& block, const CompensationPlane& before);
 
 }  // namespace toolcomp::model
