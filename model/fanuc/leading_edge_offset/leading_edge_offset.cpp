@@ -87,12 +87,11 @@ class LeadingEdgeOffset : public Pass {
     // A block with N or O alone is no block and makes nothing. It is not kept while another waits.
     if (!step->has_word && !window_.empty()) return;
     Planned b{std::move(step)};
-    b.code = b.step->words.edge->code;
-    if (b.code != EdgeBlock::Code::none) active_ = b.code == EdgeBlock::Code::start;
+    if (b.code() != EdgeBlock::Code::none) active_ = b.code() == EdgeBlock::Code::start;
     // fanuc.leading-edge.no-movement: A block counts as one without movement if its travel in X Y Z is exactly zero:
     // rotary axes alone, a tool direction alone, M S T F H alone, a travel of zero. A block with N or O alone is no
     // block.
-    if (b.code == EdgeBlock::Code::none)
+    if (b.code() == EdgeBlock::Code::none)
       b.travels = !recorder().decide(Clause::fanuc_leading_edge_no_movement,
                                      b.step->moves.empty() || is_zero(b.step->moves.front().leg.travel));
     b.step->clauses.add(recorder().take_clauses());
@@ -114,8 +113,10 @@ class LeadingEdgeOffset : public Pass {
  private:
   struct Planned {
     OwnedStep step;
-    EdgeBlock::Code code = EdgeBlock::Code::none;
     bool travels = false;  // it has a linear movement, X Y Z
+
+    [[nodiscard]] EdgeBlock::Code code() const { return step->words.edge->code; }
+    [[nodiscard]] const Vector& movement() const { return step->moves.front().leg.travel; }
   };
   // The next block is one with a linear movement, or the one that cancels the mode.
   using Ahead = Window<Planned>::Ahead;
@@ -147,7 +148,7 @@ class LeadingEdgeOffset : public Pass {
   // fanuc.leading-edge.kept-at-the-end: At the end of the program, and before a block that ends the run by an alarm,
   // the vector made before is kept.
   [[nodiscard]] std::optional<Ahead> look() const {
-    const bool starts = window_[0].code == EdgeBlock::Code::start;
+    const bool starts = window_[0].code() == EdgeBlock::Code::start;
     if (!starts && !window_[0].travels) return Ahead{};
     int still = 0;
     for (std::size_t i = 1; i < window_.size(); ++i) {
@@ -155,7 +156,7 @@ class LeadingEdgeOffset : public Pass {
       if (b.travels) return Ahead{.next = &b, .between = i > 1};
       if (starts) return Ahead{};
       if (b.step->stops_look_ahead) return Ahead{.why = Clause::fanuc_leading_edge_kept_without_look_ahead};
-      if (b.code == EdgeBlock::Code::cancel) return Ahead{&b};
+      if (b.code() == EdgeBlock::Code::cancel) return Ahead{&b};
       if (++still == 2) return Ahead{.why = Clause::fanuc_leading_edge_two_blocks_without_movement};
     }
     if (!window_.ended()) return std::nullopt;
@@ -164,21 +165,21 @@ class LeadingEdgeOffset : public Pass {
 
   // The moves of a block, and the vector at its end.
   void make_moves(Planned& b, const Ahead& ahead) {
-    switch (b.code) {
-      case EdgeBlock::Code::start:
-        vector_ = vector_at_start(b, ahead);
-        insert_move(*b.step, spec::Cause::start_up);
-        break;
-      case EdgeBlock::Code::cancel:
-        // fanuc.leading-edge.cancel: At G40 the tool returns by the vector to the programmed point, in rapid traverse
-        // under G00, otherwise straight with the feed. G40 while nothing is on does nothing.
-        recorder().reach(Clause::fanuc_leading_edge_cancel);
-        vector_ = {};
-        insert_move(*b.step, spec::Cause::cancel);
-        break;
-      case EdgeBlock::Code::none:
-        if (b.travels) vector_ = vector_at_end(b, ahead);
-        break;
+    const bool starts = b.code() == EdgeBlock::Code::start;
+    if (starts) {
+      vector_ = vector_at_start(b, ahead);
+    } else if (b.code() == EdgeBlock::Code::cancel) {
+      // fanuc.leading-edge.cancel: At G40 the tool returns by the vector to the programmed point, in rapid traverse
+      // under G00, otherwise straight with the feed. G40 while nothing is on does nothing.
+      recorder().reach(Clause::fanuc_leading_edge_cancel);
+      vector_ = {};
+    } else if (b.travels) {
+      vector_ = vector_at_end(b, ahead);
+    }
+    if (b.code() != EdgeBlock::Code::none) {
+      // One move, made where the block ends.
+      b.step->moves = {b.step->rest};
+      b.step->moves.front().leg.cause = starts ? spec::Cause::start_up : spec::Cause::cancel;
     }
     b.step->clauses.add(recorder().take_clauses());
     for (Move& move : b.step->moves) move.offset = vector_.vector;
@@ -197,7 +198,7 @@ class LeadingEdgeOffset : public Pass {
       recorder().decide(Clause::fanuc_leading_edge_one_block_without_movement, ahead.between);
     else
       recorder().reach(Clause::fanuc_leading_edge_before_cancel);
-    return rules_.next(vector_, movement(moves ? *ahead.next : b), b.step->rest.tool, b.step->words.edge->radius);
+    return rules_.next(vector_, (moves ? *ahead.next : b).movement(), b.step->rest.tool, b.step->words.edge->radius);
   }
 
   [[nodiscard]] EdgeVector vector_at_start(const Planned& b, const Ahead& ahead) {
@@ -206,21 +207,13 @@ class LeadingEdgeOffset : public Pass {
       // linear movement: no travel in X Y Z, G40, the end of the program, or a block that raises an alarm of its own.
       if (ahead.next == nullptr)
         raise(recorder(), Clause::fanuc_leading_edge_no_movement_after_start, AlarmCause::leading_edge_command);
-      return rules_.first(movement(*ahead.next), b.step->rest.tool, b.step->words.edge->radius);
+      return rules_.first(ahead.next->movement(), b.step->rest.tool, b.step->words.edge->radius);
     } catch (Alarm& alarm) {
       alarm.line = b.step->line;
       alarm.n = b.step->n;
       window_.clear();
       throw;
     }
-  }
-
-  [[nodiscard]] static const Vector& movement(const Planned& b) { return b.step->moves.front().leg.travel; }
-
-  // One move, made where the block ends.
-  void insert_move(Step& b, spec::Cause cause) {
-    b.moves = {b.rest};
-    b.moves.front().leg.cause = cause;
   }
 
   EdgeRules rules_;

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "model/basis/event.h"
-#include "model/basis/number.h"
 
 namespace toolcomp::model {
 namespace {
@@ -45,7 +44,6 @@ SidePlan SideMode::next(const ToolSideBlock& block, const Step& step, std::vecto
   const bool asked = asks(block);
   SidePlan plan;
   plan.plane.tool = step.rest.tool;
-  plan.cancels = !asked;
   if (asked || is_on()) find_movement(block, step, plan);
   // The block right after a lone start moves there and stays in the mode; else the start raises an alarm.
   if (is_pending() && !plan.moves_behind()) return plan;
@@ -57,6 +55,12 @@ SidePlan SideMode::next(const ToolSideBlock& block, const Step& step, std::vecto
     in_mode(block, step, plan);
   else if (phase_ != Phase::ending || plan.end)
     cancel(plan);
+  plan.offset = last_;
+  if (plan.part == SidePart::lone_start || plan.part == SidePart::start_up || plan.part == SidePart::moving) {
+    plan.number = ++made_;
+    has_vector_ = last_.distance != 0;
+  }
+  plan.changes = has_vector_;
   before_ = step.rest.tool;
   return plan;
 }
@@ -76,8 +80,6 @@ void SideMode::while_off(const ToolSideBlock& block, bool asked, SidePlan& plan)
   phase_ = alone ? Phase::pending : Phase::started;
   last_ = offset_of(recorder_, block.side, block.offset);
   if (plan.end) plan.end->offset = last_.left();
-  plan.changes = last_.distance != 0;
-  make_vector(plan);
 }
 
 void SideMode::in_mode(const ToolSideBlock& block, const Step& step, SidePlan& plan) {
@@ -87,28 +89,23 @@ void SideMode::in_mode(const ToolSideBlock& block, const Step& step, SidePlan& p
   if (phase_ == Phase::ending)
     leave_open_alone(recorder_, Clause::fanuc_cutter_c_restart_before_removal,
                      "tool side compensation again before the vector of the cancelled mode is removed");
-  const bool moves = plan.end || plan.moves_behind();
-  if (moves) {
-    const Leg& leg = step.moves.front().leg;
-    // fanuc.cutter-c.arc-ends-in-center: An arc block with G41 or G42 and a number other than 0 in force raises PS0038
-    // if its centre is its start or its end; both cases are alike. This is an alarm of a command. It comes after the
-    // alarms that the words alone raise (PS0034 of a start-up in an arc among them) and after those of the length
-    // offset.
-    if (leg.arc && !leg.arc->sweep)
-      raise(recorder_, Clause::fanuc_cutter_c_arc_ends_in_center, AlarmCause::arc_ends_in_center);
-    const bool meets_first = !waiting_.empty() && plan.start_at(waiting_.front()->number) != nullptr;
-    const CutterOffset offset = next_offset(block, meets_first);
-    plan.offset_before = offset.side * last_.distance;
-    if (plan.path.arc) look_at_arc(plan);
-    for (SidePlan::Start& start : plan.starts) start.end.offset = offset.side * waiting(start.at).offset.distance;
-    if (plan.end) plan.end->offset = offset.left();
-    last_ = offset;
-    phase_ = Phase::running;
+  if (!plan.end && !plan.moves_behind()) return;
+  const Leg& leg = step.moves.front().leg;
+  // fanuc.cutter-c.arc-ends-in-center: An arc block with G41 or G42 and a number other than 0 in force raises PS0038 if
+  // its centre is its start or its end; both cases are alike. This is an alarm of a command. It comes after the alarms
+  // that the words alone raise (PS0034 of a start-up in an arc among them) and after those of the length offset.
+  if (leg.arc && !leg.arc->sweep)
+    raise(recorder_, Clause::fanuc_cutter_c_arc_ends_in_center, AlarmCause::arc_ends_in_center);
+  const CutterOffset offset = next_offset(block, plan);
+  plan.offset_before = offset.side * last_.distance;
+  if (plan.path.arc) look_at_arc(plan);
+  for (SidePlan::Start& start : plan.starts) start.end.offset = offset.side * waiting(start.at).offset.distance;
+  if (plan.end) {
+    plan.end->offset = offset.left();
+    plan.part = SidePart::moving;
   }
-  plan.offset = last_;
-  if (!plan.end) return;
-  plan.part = SidePart::moving;
-  make_vector(plan);
+  last_ = offset;
+  phase_ = Phase::running;
 }
 
 // G40 or number 0.
@@ -116,7 +113,6 @@ void SideMode::cancel(SidePlan& plan) {
   for (SidePlan::Start& start : plan.starts) start.end.offset = waiting(start.at).offset.left();
   const bool at_once = plan.end || setup_.bit(5003, 1);
   plan.part = plan.end ? SidePart::cancel : SidePart::lone_cancel;
-  plan.changes = has_vector_;
   plan.leaves_corner = plan.moves_behind() && !at_once;
   phase_ = at_once || !has_vector_ ? Phase::off : Phase::ending;
 }
@@ -164,8 +160,9 @@ bool SideMode::crosses_tool(const CompensationPlane& plane, const Vector& travel
   return crosses;
 }
 
-CutterOffset SideMode::next_offset(const ToolSideBlock& block, bool meets_first) const {
+CutterOffset SideMode::next_offset(const ToolSideBlock& block, const SidePlan& plan) const {
   const CutterOffset offset = offset_of(recorder_, block.side, block.offset);
+  const bool meets_first = !waiting_.empty() && plan.start_at(waiting_.front()->number) != nullptr;
   const bool meets_start =
       meets_first && waiting_.front()->part != SidePart::moving && waiting_.front()->offset.side != offset.side;
   // fanuc.cutter-c.direction-change-at-start-up: The first moving block after a start-up must not change the side; a
@@ -197,12 +194,6 @@ void SideMode::look_at_arc(SidePlan& plan) {
     plan.warning = Warning{"ARC_PLANE_MISMATCH", "the tool is not at right angles to the plane of the arc", {}};
     plan.warning->clauses.add(Clause::fanuc_tool_side_arc_plane_mismatch);
   }
-}
-
-void SideMode::make_vector(SidePlan& plan) {
-  plan.number = ++made_;
-  plan.offset = last_;
-  has_vector_ = last_.distance != 0;
 }
 
 const SidePlan& SideMode::waiting(std::uint64_t number) const {

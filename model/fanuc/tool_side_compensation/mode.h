@@ -48,7 +48,6 @@ struct SidePlan {
   std::optional<SideEnd> end;  // how it reaches its own end, if it moves in the plane there
   bool at_corner = false;      // the block right before it makes a corner with it
   bool leaves_corner = false;  // no vector: the one at its end is one of no corner
-  bool cancels = false;        // G40 or number 0 in force
   bool changes = false;        // lone_start, lone_cancel: the vector that is made or removed is not 0
   std::optional<Warning> warning;
 
@@ -73,9 +72,7 @@ class SideMode : public CornerMode {
   void find_movement(const ToolSideBlock& block, const Step& step, SidePlan& plan);
   [[nodiscard]] bool crosses_tool(const CompensationPlane& plane, const Vector& travel) const;
   void look_at_arc(SidePlan& plan);
-  [[nodiscard]] CutterOffset next_offset(const ToolSideBlock& block, bool meets_first) const;
-  // The block makes a vector at its end.
-  void make_vector(SidePlan& plan);
+  [[nodiscard]] CutterOffset next_offset(const ToolSideBlock& block, const SidePlan& plan) const;
   [[nodiscard]] const SidePlan& waiting(std::uint64_t number) const;
 
   Rational shortest_;  // 19630, setup units

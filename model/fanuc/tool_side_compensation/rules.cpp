@@ -3,9 +3,8 @@
 
 #include <utility>
 
-#include "model/basis/number.h"
-
 namespace toolcomp::model {
+
 // fanuc.cutter-c.value-zero: If r = 0, the group is the zero vector alone, whatever the corner and No. 5010. There are
 // then no corner moves, not even before an arc of 180 degrees or more.
 SpaceGroup SideRules::square_to(const SideEnd& former) const {
@@ -137,14 +136,14 @@ std::optional<SideGroup> SideRules::by_first_rule(const SideCorner& corner, cons
 // repeated code; start-up block followed by the cancel block; cancel; start-up; corner of the mode, then Q2 of A. Then
 // vectors are dropped (fanuc.tool-side.small-difference). Then A is checked, first for a plane change (not if r = 0),
 // then for interference.
-std::optional<SpaceGroup> SideRules::group(const SideCorner& corner, const SideCase& given) const {
+std::optional<SideGroup> SideRules::group(const SideCorner& corner, const SideCase& given) const {
   std::optional<SideGroup> group = by_first_rule(corner, given);
-  if (!group || corner.former.offset == 0) return group ? std::optional(std::move(group->vectors)) : std::nullopt;
+  if (!group || corner.former.offset == 0) return group;
   // fanuc.tool-side.q3: With Q3 in block A, all vectors are kept, and the alarm of fanuc.tool-side.plane-change-alarm
   // is not raised. It is not raised with Q1 or Q2 either.
   if (given.treatment == 3) recorder_.reach(Clause::fanuc_tool_side_q3);
   drop_small_differences(*group, corner.former.offset, given.next);
-  return std::move(group->vectors);
+  return group;
 }
 
 // fanuc.tool-side.side-change: The side may change without G40, by the code or by the sign of the value. This is as in
@@ -184,7 +183,8 @@ void SideRules::drop_small_differences(SideGroup& group, const Rational& offset,
   const Rational scale = limit2 + 8 * offset * offset;
   SpaceGroup kept{group.vectors.front()};
   for (std::size_t i = 1, last = 0; i < group.vectors.size(); ++i) {
-    const Real apart2 = group.squared_distance(i, last);
+    const Real apart2 = group.in_frame.empty() ? squared_norm(group.vectors[i].vector - group.vectors[last].vector)
+                                               : squared_norm(group.in_frame[i].vector - group.in_frame[last].vector);
     if (recorder_.decide(Clause::fanuc_tool_side_small_difference, limit2 - apart2, scale) != Sign::negative) continue;
     kept.push_back(group.vectors[i]);
     last = i;

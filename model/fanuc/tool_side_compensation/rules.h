@@ -29,7 +29,7 @@ class SideRules {
   SideRules(const spec::Setup& setup, Recorder& recorder);
 
   // The group; nothing where an inner corner with an arc has no intersection (PS0033).
-  [[nodiscard]] std::optional<SpaceGroup> group(const SideCorner& corner, const SideCase& given) const;
+  [[nodiscard]] std::optional<SideGroup> group(const SideCorner& corner, const SideCase& given) const;
   // r n1 alone; of an offset of 0 the vector 0.
   [[nodiscard]] SpaceGroup square_to(const SideEnd& former) const;
   // Says where a group lies, and its stop point.

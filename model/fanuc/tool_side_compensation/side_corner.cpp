@@ -63,11 +63,6 @@ SpaceGroup way_round(CornerClass kind, const SideCorner& lines, bool with_former
   return group;
 }
 
-Real SideGroup::squared_distance(std::size_t a, std::size_t b) const {
-  if (in_frame.empty()) return squared_norm(vectors[a].vector - vectors[b].vector);
-  return squared_norm(in_frame[a].vector - in_frame[b].vector);
-}
-
 FramedCorner::FramedCorner(const SideCorner& of) : corner(of) {
   const CompensationPlane& plane = corner.plane;
   const Vector& v1 = corner.former.direction;

@@ -43,8 +43,6 @@ struct SideGroup {
 
   SpaceGroup vectors;
   VectorGroup in_frame;  // as many, or none
-
-  [[nodiscard]] Real squared_distance(std::size_t a, std::size_t b) const;
 };
 
 // Both ends of a corner with an arc in a frame of the plane.

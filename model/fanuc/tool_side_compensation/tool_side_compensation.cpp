@@ -87,7 +87,11 @@ class ToolSideCompensation final : public Pass {
   }
   [[nodiscard]] bool has(const StepWords& words) const override { return words.side != nullptr; }
   void take(OwnedStep step) override {
-    if (step->stops_look_ahead) make_without_next(step->line);
+    if (step->stops_look_ahead) {
+      // All blocks that wait: nothing is read beyond them before they have run.
+      while (make_next(true)) continue;
+      recorder().at(step->line);
+    }
     SidePlan plan = mode_.next(*step->words.side, *step, waiting());
     step->clauses.add(recorder().take_clauses());
     step->warning = plan.warning;
@@ -173,10 +177,13 @@ class ToolSideCompensation final : public Pass {
       raise(recorder(), Clause::fanuc_tool_side_type_c_format, AlarmCause::type_c_format);
   }
 
-  // The first block that waits, if what it needs is known.
-  bool make_next() {
+  // G40 or number 0 is in force.
+  [[nodiscard]] static bool cancels(const Planned& b) { return !b.step->words.side->wanted(); }
+
+  // The first block that waits, if what it needs is known. `stopped`: the look-ahead stops after the window.
+  bool make_next(bool stopped = false) {
     if (window_.empty()) return false;
-    const auto ahead = look();
+    const auto ahead = look(0, stopped);
     if (!ahead) return false;
     Planned b = window_.pop();
     recorder().at(b.step->line);
@@ -184,14 +191,6 @@ class ToolSideCompensation final : public Pass {
     b.step->clauses.add(recorder().take_clauses());
     made_.push_back(std::move(b.step));
     return true;
-  }
-
-  // All blocks that wait, before the block on this line is planned: it stops reading ahead.
-  void make_without_next(std::uint64_t line) {
-    stopped_ = true;
-    while (make_next()) continue;
-    stopped_ = false;
-    recorder().at(line);
   }
 
   // fanuc.tool-side.one-block-without-movement: If one block between A and B does not move in the plane at the end of A
@@ -205,7 +204,7 @@ class ToolSideCompensation final : public Pass {
   // the run undecided, and before G40 or number 0 in a block that does not move in the plane at the end of A.
   // fanuc.tool-side.look-ahead-stopped: An M code that stops reading ahead (fanuc.program.stops-reading-ahead) stops
   // the look-ahead. The block A before it, also a start-up block, ends with the vector perpendicular to it.
-  [[nodiscard]] std::optional<Ahead> look(std::size_t at = 0) const {
+  [[nodiscard]] std::optional<Ahead> look(std::size_t at, bool stopped = false) const {
     const SidePlan& a = window_[at].plan;
     if (a.number == 0) return Ahead{};
     bool repeated = false;
@@ -214,10 +213,10 @@ class ToolSideCompensation final : public Pass {
       const Planned& b = window_[i];
       repeated = repeated || b.step->words.side->repeats_code();
       if (b.plan.start_at(a.number) != nullptr) return Ahead{&b, repeated, count > 0};
-      if (b.plan.cancels || a.part == SidePart::lone_start) return Ahead{.why = Clause::fanuc_tool_side_no_next_block};
+      if (cancels(b) || a.part == SidePart::lone_start) return Ahead{.why = Clause::fanuc_tool_side_no_next_block};
       if (++count >= limit_) return Ahead{.why = Clause::fanuc_tool_side_two_blocks_without_movement};
     }
-    if (stopped_) return Ahead{.why = Clause::fanuc_tool_side_look_ahead_stopped};
+    if (stopped) return Ahead{.why = Clause::fanuc_tool_side_look_ahead_stopped};
     if (!window_.ended()) return std::nullopt;
     return Ahead{.why = Clause::fanuc_tool_side_no_next_block};
   }
@@ -311,7 +310,7 @@ class ToolSideCompensation final : public Pass {
     recorder().decide(Clause::fanuc_tool_side_one_block_without_movement, ahead.between);
     const SidePlan& next = ahead.next->plan;
     SideCase given{.starts = a.plan.part == SidePart::start_up,
-                   .cancels = next.cancels,
+                   .cancels = cancels(*ahead.next),
                    .side_changes = a.plan.offset.side != next.offset.side,
                    .repeated = ahead.repeated,
                    .next = next.path};
@@ -331,7 +330,7 @@ class ToolSideCompensation final : public Pass {
     // the manual has PS0272, a number of a sister control.
     if (in_mode && a.plan.end->offset != 0 && given.treatment == 0 && plane_change_.interferes(a.plan, next))
       raise_at(a, Clause::fanuc_tool_side_plane_change_alarm, AlarmCause::interference, {});
-    return rules_.in_plane(std::move(*group));
+    return rules_.in_plane(std::move(group->vectors));
   }
 
   void lone_start(Planned& b, const Ahead& ahead) {
@@ -401,7 +400,6 @@ class ToolSideCompensation final : public Pass {
 
   SideMode mode_;
   Window<Planned> window_;
-  bool stopped_ = false;  // nothing is read beyond the window before it has run
   Standing tool_;
   CompensationPlane plane_;     // in which the vectors were made at which the tool stands
   std::deque<OwnedStep> made_;  // in order
