@@ -27,14 +27,11 @@ EdgeVector EdgeRules::vector(Sense sense, const Vector& movement, const Directio
 // counts as that angle. The ranges include their ends. D is in degrees and usually about 1; 1 is used if the setup
 // gives none. A setup with a value above 90 or below -90 is refused.
 EdgeRules::EdgeRules(const spec::Setup& setup, Recorder& recorder) : recorder_(recorder) {
-  const std::optional<spec::Decimal> given = setup.parameter(19631);
-  const Rational degrees = given ? plain(*given) : Rational(1);
-  if (degrees > 90 || degrees < -90)
+  if (const auto given = setup.parameter(19631)) fluctuation_ = plain(*given);
+  if (fluctuation_ > 90 || fluctuation_ < -90)
     throw spec::InputError("setup", 0, 0, "parameters.19631: expected an angle from -90 to 90");
-  exact_only_ = degrees <= 0;
-  overlapping_ = degrees >= 45;
   // By the double angle, whose cosine is rational where the squares are.
-  const Real cosine_of_double = exact::cos_degrees(exact_only_ ? Rational(0) : Rational(2 * degrees));
+  const Real cosine_of_double = exact::cos_degrees(fluctuation_ <= 0 ? Rational(0) : Rational(2 * fluctuation_));
   cosine2_ = (1 + cosine_of_double) / 2;
   sine2_ = (1 - cosine_of_double) / 2;
 }
@@ -54,7 +51,7 @@ EdgeCase EdgeRules::classify(const Vector& movement, const Direction& tool) cons
 
   const Real product2 = square(product);
   // fanuc.leading-edge.order-of-ranges: From D = 45 on, the ranges overlap; they are tested in the order 0, 180, 90.
-  recorder_.decide(Clause::fanuc_leading_edge_order_of_ranges, overlapping_);
+  recorder_.decide(Clause::fanuc_leading_edge_order_of_ranges, fluctuation_ >= 45);
   const Clause near_parallel =
       side == Sign::positive ? Clause::fanuc_leading_edge_near_0 : Clause::fanuc_leading_edge_near_180;
   if (recorder_.decide(near_parallel, product2 - cosine2_ * lengths2, lengths2) != Sign::negative)
@@ -62,7 +59,7 @@ EdgeCase EdgeRules::classify(const Vector& movement, const Direction& tool) cons
   // fanuc.leading-edge.exact-only: If 19631 is 0 or below, only exact angles of 0, 90 and 180 degrees count as such.
   // The range of the parameter admits negative values; the manual gives them no meaning.
   // fanuc.leading-edge.near-90: An angle from 90 - D to 90 + D counts as 90 degrees.
-  if (!recorder_.decide(Clause::fanuc_leading_edge_exact_only, exact_only_) &&
+  if (!recorder_.decide(Clause::fanuc_leading_edge_exact_only, fluctuation_ <= 0) &&
       recorder_.decide(Clause::fanuc_leading_edge_near_90, sine2_ * lengths2 - product2, lengths2) != Sign::negative)
     return {EdgeAngle::across, side};
   return {EdgeAngle::leaning, side};

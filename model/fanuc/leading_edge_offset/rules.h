@@ -51,9 +51,8 @@ class EdgeRules {
   [[nodiscard]] EdgeCase classify(const Vector& movement, const Direction& tool) const;
 
   Recorder& recorder_;
-  bool exact_only_ = false;
-  bool overlapping_ = false;
-  Real cosine2_;  // squares of the cosine and sine of the fluctuation
+  Rational fluctuation_ = 1;  // degrees
+  Real cosine2_;              // squares of its cosine and sine
   Real sine2_;
 };
 

@@ -48,9 +48,9 @@ SidePlan SideMode::next(const ToolSideBlock& block, const Step& step, std::vecto
   // The block right after a lone start moves there and stays in the mode; else the start raises an alarm.
   if (is_pending() && !plan.moves_behind()) return plan;
   asked_ = asked;
-  plan.part = SidePart::idle;
+  plan.part = phase_ == Phase::off ? SidePart::free : SidePart::idle;
   if (phase_ == Phase::off)
-    while_off(block, asked, plan);
+    while_off(block, plan);
   else if (asked)
     in_mode(block, step, plan);
   else if (phase_ != Phase::ending || plan.end)
@@ -65,12 +65,11 @@ SidePlan SideMode::next(const ToolSideBlock& block, const Step& step, std::vecto
   return plan;
 }
 
-void SideMode::while_off(const ToolSideBlock& block, bool asked, SidePlan& plan) {
-  plan.part = SidePart::free;
+void SideMode::while_off(const ToolSideBlock& block, SidePlan& plan) {
   // fanuc.tool-side.type-c: Start-up and cancel are of type C if No. 5003 bit 1, SUV, is 1, whatever bit 0 is. If SUV
   // is 0, bit 0 chooses between the other two types (fanuc.tool-side.type-b).
-  const bool alone = asked && recorder_.decide(Clause::fanuc_tool_side_type_c, setup_.bit(5003, 1));
-  if (!alone && !(asked && plan.end)) return;
+  const bool alone = asked_ && recorder_.decide(Clause::fanuc_tool_side_type_c, setup_.bit(5003, 1));
+  if (!alone && !(asked_ && plan.end)) return;
   // fanuc.tool-side.start-up: With types A and B, if a code and a number other than 0 are in force and there is no
   // vector yet, the next block that moves in the plane (of VT at its own end) is the start-up block. The tool goes
   // straight from the uncompensated start of that block to the first head of the group at its end, which is made in the
@@ -98,7 +97,7 @@ void SideMode::in_mode(const ToolSideBlock& block, const Step& step, SidePlan& p
     raise(recorder_, Clause::fanuc_cutter_c_arc_ends_in_center, AlarmCause::arc_ends_in_center);
   const CutterOffset offset = next_offset(block, plan);
   plan.offset_before = offset.side * last_.distance;
-  if (plan.path.arc) look_at_arc(plan);
+  if (plan.arc) look_at_arc(plan);
   for (SidePlan::Start& start : plan.starts) start.end.offset = offset.side * waiting(start.at).offset.distance;
   if (plan.end) {
     plan.end->offset = offset.left();
@@ -121,10 +120,10 @@ void SideMode::cancel(SidePlan& plan) {
 void SideMode::find_movement(const ToolSideBlock& block, const Step& step, SidePlan& plan) {
   if (step.moves.empty()) return;
   const Leg& leg = step.moves.front().leg;
-  plan.path.travel = leg.travel;
+  plan.travel = leg.travel;
   const bool at_last = !waiting_.empty() && waiting_.back()->number == made_;
   if (leg.arc) {
-    plan.path.arc = SideArc{leg.arc->plane, arc_of(leg, block.radius, setup_.axes)};
+    plan.arc = SideArc{leg.arc->plane, arc_of(leg, block.radius, setup_.axes)};
     for (const SidePlan* w : waiting_) plan.starts.push_back({w->number, {}});
     plan.end.emplace();
     plan.at_corner = at_last;
@@ -181,7 +180,7 @@ void SideMode::look_at_arc(SidePlan& plan) {
   // plane, and the vector found there is added to the programmed point. The machine then runs the arc in the plane
   // selected by G17, G18 or G19.
   recorder_.reach(Clause::fanuc_tool_side_arc);
-  SideArc& arc = *plan.path.arc;
+  SideArc& arc = *plan.arc;
   for (SidePlan::Start& start : plan.starts) {
     const CompensationPlane& plane = waiting(start.at).plane;
     arc.sense_at_start = sense(recorder_, plane.tool, arc.plane);

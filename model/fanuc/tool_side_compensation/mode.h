@@ -22,7 +22,7 @@ struct ToolSideBlock : CornerBlock {
 
 // What a block does to the vector.
 enum class SidePart : std::uint8_t {
-  free,        // the mode is off
+  free,        // the mode is off: another compensation may be on
   idle,        // makes no vector
   lone_start,  // of type C: makes the vector of the next block
   lone_cancel,
@@ -39,10 +39,11 @@ struct SidePlan {
   };
 
   SidePart part = SidePart::free;
-  std::uint64_t number = 0;  // of a block that makes a vector, counted from 1
-  CutterOffset offset;       // at its end: of the last block that moved
-  Rational offset_before;    // of a block of the mode: with the distance before it, on its own side, to the left
-  SidePath path;
+  std::uint64_t number = 0;    // of a block that makes a vector, counted from 1
+  CutterOffset offset;         // at its end: of the last block that moved
+  Rational offset_before;      // of a block of the mode: with the distance before it, on its own side, to the left
+  Vector travel;               // from start to end
+  std::optional<SideArc> arc;  // else a line
   CompensationPlane plane;     // at its end
   std::vector<Start> starts;   // where it moves in the plane of an earlier corner
   std::optional<SideEnd> end;  // how it reaches its own end, if it moves in the plane there
@@ -65,7 +66,7 @@ class SideMode : public CornerMode {
   SidePlan next(const ToolSideBlock& block, const Step& step, std::vector<const SidePlan*> waiting);
 
  private:
-  void while_off(const ToolSideBlock& block, bool asked, SidePlan& plan);
+  void while_off(const ToolSideBlock& block, SidePlan& plan);
   void in_mode(const ToolSideBlock& block, const Step& step, SidePlan& plan);
   void cancel(SidePlan& plan);
   // How the block moves at the corners before it and at its own end.

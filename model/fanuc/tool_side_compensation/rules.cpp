@@ -142,7 +142,7 @@ std::optional<SideGroup> SideRules::group(const SideCorner& corner, const SideCa
   // fanuc.tool-side.q3: With Q3 in block A, all vectors are kept, and the alarm of fanuc.tool-side.plane-change-alarm
   // is not raised. It is not raised with Q1 or Q2 either.
   if (given.treatment == 3) recorder_.reach(Clause::fanuc_tool_side_q3);
-  drop_small_differences(*group, corner.former.offset, given.next);
+  drop_small_differences(*group, corner.former.offset, given.next_arc);
   return group;
 }
 
@@ -170,10 +170,11 @@ SideGroup SideRules::side_change(const SideCorner& corner) const {
 // than the limit, No. 5010. The limit is in setup units. It is 0 if it is not given, and nothing is dropped if it is
 // negative. The vectors are taken in the order of the group, start-up and cancel included, and the first vector always
 // stays.
-void SideRules::drop_small_differences(SideGroup& group, const Rational& offset, const SidePath& next) const {
+void SideRules::drop_small_differences(SideGroup& group, const Rational& offset,
+                                       const std::optional<SideArc>& next_arc) const {
   if (group.vectors.size() < 2) return;
-  if (next.arc) {
-    const ArcEnds& ends = next.arc->ends;
+  if (next_arc) {
+    const ArcEnds& ends = next_arc->ends;
     if (!is_under_half_circle(recorder_, ends.turn, ends.start, ends.end,
                               sqrt(squared_norm(ends.start) * squared_norm(ends.end))))
       return;

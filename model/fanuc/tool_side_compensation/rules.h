@@ -13,12 +13,12 @@ namespace toolcomp::model {
 
 // What counts at the corner between a block A and a block B beside their paths.
 struct SideCase {
-  bool starts = false;        // A is the start-up block
-  bool cancels = false;       // B is the cancel block
-  bool side_changes = false;  // from A to B
-  bool repeated = false;      // the code repeated in B, or in a block between
-  int treatment = 0;          // Q of A: 1, 2 or 3; 0 without
-  const SidePath& next;       // of B
+  bool starts = false;                     // A is the start-up block
+  bool cancels = false;                    // B is the cancel block
+  bool side_changes = false;               // from A to B
+  bool repeated = false;                   // the code repeated in B, or in a block between
+  int treatment = 0;                       // Q of A: 1, 2 or 3; 0 without
+  const std::optional<SideArc>& next_arc;  // B, if it is one
 };
 
 // Corners of two lines are told by the rules of this section, without a frame; corners with an arc by those of
@@ -40,7 +40,7 @@ class SideRules {
   [[nodiscard]] std::optional<SideGroup> in_mode(const SideCorner& corner) const;
   [[nodiscard]] SideGroup start_or_cancel(const SideCorner& corner, bool cancels) const;
   [[nodiscard]] SideGroup side_change(const SideCorner& corner) const;
-  void drop_small_differences(SideGroup& group, const Rational& offset, const SidePath& next) const;
+  void drop_small_differences(SideGroup& group, const Rational& offset, const std::optional<SideArc>& next_arc) const;
 
   Recorder& recorder_;
   bool type_b_;              // 5003#0, SUP

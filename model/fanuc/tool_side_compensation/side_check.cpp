@@ -19,7 +19,7 @@ HeadPair pair_of(const SidePlan& block, const CompensationPlane& before, const S
                      block.offset_before == block.end->offset && before.is_same_as(block.plane);
   if (!alike) return HeadPair::any;
   const auto stays = [](const PlanePoint& v) { return known_zero(v[0]) && known_zero(v[1]); };
-  const ArcEnds& ends = block.path.arc->ends;
+  const ArcEnds& ends = block.arc->ends;
   if (stays(ends.end - ends.start)) return HeadPair::same;
   return stays(ends.end + ends.start) ? HeadPair::opposite : HeadPair::any;
 }
@@ -56,8 +56,8 @@ bool PlaneChangeCheck::interferes(const SidePlan& former, const SidePlan& latter
   const Direction& va = former.plane.tool;
   const Direction& vb = latter.plane.tool;
   if (!turns_far(va, vb)) return false;
-  const Vector& ua = former.path.travel;
-  const Vector& ub = latter.path.travel;
+  const Vector& ua = former.travel;
+  const Vector& ub = latter.travel;
   const Vector wa = cross(va.vector, ua);
   const Real travels = sqrt(squared_norm(ua) * squared_norm(ub));
   // fanuc.tool-side.plane-change-side: The second condition of the plane change check, asked if the first holds, is
@@ -75,8 +75,8 @@ bool PlaneChangeCheck::interferes(const SidePlan& former, const SidePlan& latter
 
 std::optional<ToolArcRun> arc_run(Recorder& recorder, const SidePlan& block, const CompensationPlane& before,
                                   const SpaceVector& from, const SpaceVector& to) {
-  if (!block.path.arc) return std::nullopt;
-  const SideArc& arc = *block.path.arc;
+  if (!block.arc) return std::nullopt;
+  const SideArc& arc = *block.arc;
   const Rational at_start = arc.sense_at_start * block.offset_before;
   const Rational at_end = arc.sense_at_end * block.end->offset;
   return std::optional<ToolArcRun>(std::in_place, recorder, arc_path(arc.ends, at_start, at_end),
@@ -86,8 +86,8 @@ std::optional<ToolArcRun> arc_run(Recorder& recorder, const SidePlan& block, con
 
 CheckedPath between_vectors(const SidePlan& block, const CompensationPlane& before) {
   CheckedPath path;
-  if (block.path.arc) {
-    const SideArc& arc = *block.path.arc;
+  if (block.arc) {
+    const SideArc& arc = *block.arc;
     const CompensationPlane& plane = block.at_corner ? before : block.plane;
     SideEnd start = arc_end(plane, arc, arc.ends.start, arc.sense_at_start);
     start.offset = block.at_corner ? block.offset_before : block.end->offset;
@@ -96,7 +96,7 @@ CheckedPath between_vectors(const SidePlan& block, const CompensationPlane& befo
   }
   // |VT|² u(Q - P) · ((Q + W) - (P + V)), in the plane at the end of the block.
   path.along = [&block](const Vector& from, const Vector& to) -> WayAlong {
-    const Vector& travel = block.path.travel;
+    const Vector& travel = block.travel;
     const Vector seen = block.plane.along(travel);
     const Real length = sqrt(squared_norm(travel));
     return {dot(seen, travel + (to - from)),

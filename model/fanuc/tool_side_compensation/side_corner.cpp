@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/fanuc/tool_side_compensation/side_corner.h"
 
-#include <utility>
-
 namespace toolcomp::model {
 namespace {
 
@@ -85,7 +83,6 @@ FramedCorner::FramedCorner(const SideCorner& of) : corner(of) {
 // Vectors square to a block have a simpler form than that in the frame.
 SideGroup FramedCorner::lifted(VectorGroup group) const {
   SpaceGroup result;
-  result.reserve(group.size());
   for (const CornerVector& v : group) {
     const Vector vector = v.former == Seat::square   ? perpendicular(corner.former)
                           : v.latter == Seat::square ? perpendicular(corner.latter)

@@ -51,12 +51,6 @@ struct SideArc {
   int sense_at_end = 1;
 };
 
-// A line, or an arc.
-struct SidePath {
-  Vector travel;  // from start to end
-  std::optional<SideArc> arc;
-};
-
 // A line or an arc as the corner at one of its ends sees it, in the compensation plane there: its tangent, of an arc
 // without `ahead`. Of a line with the travel U, `left` is W = VT × U, which is not 0.
 struct SideEnd : Tangent<Vector> {

@@ -178,7 +178,7 @@ class ToolSideCompensation final : public Pass {
   }
 
   // G40 or number 0 is in force.
-  [[nodiscard]] static bool cancels(const Planned& b) { return !b.step->words.side->wanted(); }
+  [[nodiscard]] static bool ends_mode(const Planned& b) { return !b.step->words.side->wanted(); }
 
   // The first block that waits, if what it needs is known. `stopped`: the look-ahead stops after the window.
   bool make_next(bool stopped = false) {
@@ -213,7 +213,7 @@ class ToolSideCompensation final : public Pass {
       const Planned& b = window_[i];
       repeated = repeated || b.step->words.side->repeats_code();
       if (b.plan.start_at(a.number) != nullptr) return Ahead{&b, repeated, count > 0};
-      if (cancels(b) || a.part == SidePart::lone_start) return Ahead{.why = Clause::fanuc_tool_side_no_next_block};
+      if (ends_mode(b) || a.part == SidePart::lone_start) return Ahead{.why = Clause::fanuc_tool_side_no_next_block};
       if (++count >= limit_) return Ahead{.why = Clause::fanuc_tool_side_two_blocks_without_movement};
     }
     if (stopped) return Ahead{.why = Clause::fanuc_tool_side_look_ahead_stopped};
@@ -293,6 +293,7 @@ class ToolSideCompensation final : public Pass {
       raise_at(a, Clause::fanuc_cutter_c_interference_alarm, AlarmCause::interference, checked.crossing);
     flush();
     Step& step = *a.step;
+    step.clauses.add(recorder().take_clauses());  // an arc that is not decided names its own clauses alone
     end_at(step.moves.front(), at_end.front(), run ? &*run : nullptr, checked.passage);
     if (plan.part == SidePart::start_up) step.moves.front().leg.cause = spec::Cause::start_up;
     insert_corner_moves(step, *step.words.side, tool_);
@@ -310,10 +311,10 @@ class ToolSideCompensation final : public Pass {
     recorder().decide(Clause::fanuc_tool_side_one_block_without_movement, ahead.between);
     const SidePlan& next = ahead.next->plan;
     SideCase given{.starts = a.plan.part == SidePart::start_up,
-                   .cancels = cancels(*ahead.next),
+                   .cancels = ends_mode(*ahead.next),
                    .side_changes = a.plan.offset.side != next.offset.side,
                    .repeated = ahead.repeated,
-                   .next = next.path};
+                   .next_arc = next.arc};
     if (!given.starts && !given.cancels) given.treatment = a.step->words.side->treatment.value_or(0);
     // fanuc.cutter-c.value-at-a-corner: A new number or value counts for the vectors at the end of the moving block
     // that has it, or, if that block does not move, at the end of the next moving block.
@@ -323,13 +324,13 @@ class ToolSideCompensation final : public Pass {
     // fanuc.cutter-c.no-intersection: An inner corner with an arc and R' >= 0 whose offset paths do not meet raises
     // PS0033. The alarm names A. Neither A nor a corner move of A is given, and the blocks before A are given as
     // computed with A present.
-    if (!group) raise_at(a, Clause::fanuc_cutter_c_no_intersection, AlarmCause::no_intersection, {});
+    if (!group) raise_at(a, Clause::fanuc_cutter_c_no_intersection, AlarmCause::no_intersection);
     const bool in_mode = !given.starts && !given.cancels && !given.side_changes && !given.repeated;
     // fanuc.tool-side.plane-change-alarm: If all three conditions of the plane change check hold, PS0041 is raised;
     // OVERCUT_PLANE_CHANGE is our name for this cause of it. The alarm list of this control has P/S0041; the text of
     // the manual has PS0272, a number of a sister control.
     if (in_mode && a.plan.end->offset != 0 && given.treatment == 0 && plane_change_.interferes(a.plan, next))
-      raise_at(a, Clause::fanuc_tool_side_plane_change_alarm, AlarmCause::interference, {});
+      raise_at(a, Clause::fanuc_tool_side_plane_change_alarm, AlarmCause::interference);
     return rules_.in_plane(std::move(group->vectors));
   }
 
@@ -337,7 +338,7 @@ class ToolSideCompensation final : public Pass {
     // fanuc.tool-side.start-type-c: With type C, the block with which a code and a number other than 0 come into force
     // inserts a move from the uncompensated point by the vector perpendicular to the next block at its start, in the
     // plane of VT at that moment. The cause of the move is start-up, and it is of the kind of group 01.
-    if (ahead.next == nullptr) raise_at(b, Clause::fanuc_tool_side_type_c_format, AlarmCause::type_c_format, {});
+    if (ahead.next == nullptr) raise_at(b, Clause::fanuc_tool_side_type_c_format, AlarmCause::type_c_format);
     recorder().reach(Clause::fanuc_tool_side_start_type_c);
     plane_ = b.plan.plane;
     tool_.heads = square_to_latter(*ahead.next->plan.start_at(b.plan.number));
@@ -386,7 +387,7 @@ class ToolSideCompensation final : public Pass {
   }
 
   // The alarm names this block, and nothing of it is given.
-  [[noreturn]] void raise_at(const Planned& b, Clause clause, AlarmCause cause, const Real& crossing) {
+  [[noreturn]] void raise_at(const Planned& b, Clause clause, AlarmCause cause, const Real& crossing = {}) {
     flush();
     recorder().reach(clause);
     window_.clear();
