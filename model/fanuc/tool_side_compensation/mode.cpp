@@ -36,9 +36,6 @@ const SideEnd* SidePlan::start_at(std::uint64_t block) const {
   return found == starts.end() ? nullptr : &found->end;
 }
 
-SideMode::SideMode(const spec::Setup& setup, Recorder& recorder)
-    : CornerMode(setup, recorder), shortest_(parameter(setup, 19630)) {}
-
 SidePlan SideMode::next(const ToolSideBlock& block, const Step& step, std::vector<const SidePlan*> waiting) {
   waiting_ = std::move(waiting);
   const bool asked = asks(block);

@@ -59,7 +59,8 @@ struct SidePlan {
 // Follows the mode through the program. Clauses: fanuc.tool-side.*.
 class SideMode : public CornerMode {
  public:
-  SideMode(const spec::Setup& setup, Recorder& recorder);
+  SideMode(const spec::Setup& setup, Recorder& recorder)
+      : CornerMode(setup, recorder), shortest_(parameter(setup, 19630)) {}
 
   // The next block. Throws Alarm PS0038 or DIR_CHANGE_AT_STARTUP, or LeftOpen.
   // `waiting`: the blocks before it whose corners are not known.

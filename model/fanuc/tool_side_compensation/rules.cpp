@@ -50,16 +50,9 @@ std::optional<SideGroup> SideRules::in_mode(const SideCorner& corner) const {
 }
 
 // fanuc.tool-side.type-b: No. 5003 bit 0, SUP, chooses the type: 0 is type A, 1 is type B.
-SideRules::SideRules(const spec::Setup& setup, Recorder& recorder)
-    : recorder_(recorder),
-      type_b_(setup.bit(5003, 0)),
-      with_perpendicular_(!setup.type_b_without_perpendicular),
-      limit_(parameter(setup, 5010)) {}
-
-// fanuc.tool-side.type-b: No. 5003 bit 0, SUP, chooses the type: 0 is type A, 1 is type B.
 SideGroup SideRules::start_or_cancel(const SideCorner& corner, bool cancels) const {
   const auto alone = [&] { return cancels ? square_to(corner.former) : square_to_latter(corner.latter); };
-  if (!recorder_.decide(Clause::fanuc_tool_side_type_b, type_b_)) return alone();
+  if (!recorder_.decide(Clause::fanuc_tool_side_type_b, setup_.bit(5003, 0))) return alone();
   const auto framed = corner.of_lines() ? std::nullopt : std::optional<FramedCorner>(corner);
   const CornerClass kind = framed ? classify(recorder_, framed->former, framed->latter) : classify(recorder_, corner);
   if (!framed && kind == CornerClass::acute && is_under_one_degree(recorder_, corner)) return alone();
@@ -89,7 +82,7 @@ SideGroup SideRules::start_or_cancel(const SideCorner& corner, bool cancels) con
     recorder_.reach(cancels ? Clause::fanuc_tool_side_cancel_acute : Clause::fanuc_tool_side_start_up_acute);
   // fanuc.tool-side.type-b-perpendicular: At a start-up or cancel of type B with an outer corner, the vector
   // perpendicular to the start-up or cancel block is made, as in chapter 14.
-  const bool own = recorder_.decide(Clause::fanuc_tool_side_type_b_perpendicular, with_perpendicular_);
+  const bool own = recorder_.decide(Clause::fanuc_tool_side_type_b_perpendicular, !setup_.type_b_without_perpendicular);
   const bool with_former = cancels ? corner.former.is_arc() : own;
   const bool with_latter = cancels ? own : corner.latter.is_arc();
   if (!framed) return way_round(kind, corner, with_former, with_latter);

@@ -26,7 +26,8 @@ struct SideCase {
 class SideRules {
  public:
   // Parameters 5003#0 and 5010, and the second reading of type B.
-  SideRules(const spec::Setup& setup, Recorder& recorder);
+  SideRules(const spec::Setup& setup, Recorder& recorder)
+      : setup_(setup), recorder_(recorder), limit_(parameter(setup, 5010)) {}
 
   // The group; nothing where an inner corner with an arc has no intersection (PS0033).
   [[nodiscard]] std::optional<SideGroup> group(const SideCorner& corner, const SideCase& given) const;
@@ -42,10 +43,9 @@ class SideRules {
   [[nodiscard]] SideGroup side_change(const SideCorner& corner) const;
   void drop_small_differences(SideGroup& group, const Rational& offset, const std::optional<SideArc>& next_arc) const;
 
+  const spec::Setup& setup_;
   Recorder& recorder_;
-  bool type_b_;              // 5003#0, SUP
-  bool with_perpendicular_;  // of the start-up or cancel block itself
-  Rational limit_;           // 5010, setup units
+  Rational limit_;  // 5010, setup units
 };
 
 }  // namespace toolcomp::model
