@@ -39,7 +39,6 @@ class LeadingEdgeOffset : public Pass {
 
   // Reads G41.3, G40 and D. Throws Alarm PS5406, PS5408, PS5407, FORBIDDEN_IN_3D_COMPENSATION or PS0029.
   void read(const BlockWords& now, StepWords& words) override {
-    using Code = EdgeBlock::Code;
     const Command& command = now.command;
     const Codes& codes = command.codes;
     number_ = number(command);
@@ -87,11 +86,11 @@ class LeadingEdgeOffset : public Pass {
     // A block with N or O alone is no block and makes nothing. It is not kept while another waits.
     if (!step->has_word && !window_.empty()) return;
     Planned b{std::move(step)};
-    if (b.code() != EdgeBlock::Code::none) active_ = b.code() == EdgeBlock::Code::start;
+    if (b.code() != Code::none) active_ = b.code() == Code::start;
     // fanuc.leading-edge.no-movement: A block counts as one without movement if its travel in X Y Z is exactly zero:
     // rotary axes alone, a tool direction alone, M S T F H alone, a travel of zero. A block with N or O alone is no
     // block.
-    if (b.code() == EdgeBlock::Code::none)
+    if (b.code() == Code::none)
       b.travels = !recorder().decide(Clause::fanuc_leading_edge_no_movement,
                                      b.step->moves.empty() || is_zero(b.step->moves.front().leg.travel));
     b.step->clauses.add(recorder().take_clauses());
@@ -111,11 +110,12 @@ class LeadingEdgeOffset : public Pass {
   }
 
  private:
+  using Code = EdgeBlock::Code;
   struct Planned {
     OwnedStep step;
     bool travels = false;  // it has a linear movement, X Y Z
 
-    [[nodiscard]] EdgeBlock::Code code() const { return step->words.edge->code; }
+    [[nodiscard]] Code code() const { return step->words.edge->code; }
     [[nodiscard]] const Vector& movement() const { return step->moves.front().leg.travel; }
   };
   // The next block is one with a linear movement, or the one that cancels the mode.
@@ -148,7 +148,7 @@ class LeadingEdgeOffset : public Pass {
   // fanuc.leading-edge.kept-at-the-end: At the end of the program, and before a block that ends the run by an alarm,
   // the vector made before is kept.
   [[nodiscard]] std::optional<Ahead> look() const {
-    const bool starts = window_[0].code() == EdgeBlock::Code::start;
+    const bool starts = window_[0].code() == Code::start;
     if (!starts && !window_[0].travels) return Ahead{};
     int still = 0;
     for (std::size_t i = 1; i < window_.size(); ++i) {
@@ -156,7 +156,7 @@ class LeadingEdgeOffset : public Pass {
       if (b.travels) return Ahead{.next = &b, .between = i > 1};
       if (starts) return Ahead{};
       if (b.step->stops_look_ahead) return Ahead{.why = Clause::fanuc_leading_edge_kept_without_look_ahead};
-      if (b.code() == EdgeBlock::Code::cancel) return Ahead{&b};
+      if (b.code() == Code::cancel) return Ahead{&b};
       if (++still == 2) return Ahead{.why = Clause::fanuc_leading_edge_two_blocks_without_movement};
     }
     if (!window_.ended()) return std::nullopt;
@@ -165,10 +165,10 @@ class LeadingEdgeOffset : public Pass {
 
   // The moves of a block, and the vector at its end.
   void make_moves(Planned& b, const Ahead& ahead) {
-    const bool starts = b.code() == EdgeBlock::Code::start;
+    const bool starts = b.code() == Code::start;
     if (starts) {
       vector_ = vector_at_start(b, ahead);
-    } else if (b.code() == EdgeBlock::Code::cancel) {
+    } else if (b.code() == Code::cancel) {
       // fanuc.leading-edge.cancel: At G40 the tool returns by the vector to the programmed point, in rapid traverse
       // under G00, otherwise straight with the feed. G40 while nothing is on does nothing.
       recorder().reach(Clause::fanuc_leading_edge_cancel);
@@ -176,11 +176,7 @@ class LeadingEdgeOffset : public Pass {
     } else if (b.travels) {
       vector_ = vector_at_end(b, ahead);
     }
-    if (b.code() != EdgeBlock::Code::none) {
-      // One move, made where the block ends.
-      b.step->moves = {b.step->rest};
-      b.step->moves.front().leg.cause = starts ? spec::Cause::start_up : spec::Cause::cancel;
-    }
+    if (b.code() != Code::none) insert_move(*b.step, starts ? spec::Cause::start_up : spec::Cause::cancel);
     b.step->clauses.add(recorder().take_clauses());
     for (Move& move : b.step->moves) move.offset = vector_.vector;
   }
@@ -214,6 +210,12 @@ class LeadingEdgeOffset : public Pass {
       window_.clear();
       throw;
     }
+  }
+
+  // One move, made where the block ends.
+  void insert_move(Step& b, spec::Cause cause) {
+    b.moves = {b.rest};
+    b.moves.front().leg.cause = cause;
   }
 
   EdgeRules rules_;

@@ -6,7 +6,6 @@
 // made as soon as the next block that moves in the plane at its end is known, or that there is none near enough. It
 // goes out when the interference check of the next block that makes vectors has left them as they are.
 // spec/formal/program/SidePass.v has the same functions.
-#include <cstdint>
 #include <deque>
 #include <optional>
 #include <utility>
