@@ -29,7 +29,9 @@ std::optional<CutterSide> side_of(Compensation code) {
   return left ? CutterSide::left : CutterSide::right;
 }
 
-bool is_directed(Compensation code) { return code >= Compensation::directed_tool_side_left; }
+bool is_directed(Compensation code) {
+  return code == Compensation::directed_tool_side_left || code == Compensation::directed_tool_side_right;
+}
 
 // Q1, Q2, Q3; 0 for any other value.
 std::optional<int> treatment(const Command& command) {
