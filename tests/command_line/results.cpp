@@ -95,7 +95,7 @@ TEST_F(Results, OfWhatCertifyWrites) {
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const json all = json::parse(outcome.out);
   EXPECT_EQ(all["sections"].size(), 13U);
-  const auto standing = [&](int controller, const char* section) {
+  const auto standing = [&](std::size_t controller, const char* section) {
     return all["controllers"][controller]["cells"][section]["standing"];
   };
   EXPECT_EQ(standing(0, "fanuc/tool-length-offset"), "conforms");
