@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <sstream>
@@ -71,6 +72,11 @@ void RecentBlocks::add(const spec::Block& block) {
 void RecentBlocks::add(const spec::klartext::Block& block) {
   add(block.line,
       block.alarm ? LineColumn{block.alarm->line, block.alarm->column} : LineColumn{block.line, block.column});
+}
+
+void RecentBlocks::add(const spec::LineColumns& lines, std::size_t count) {
+  for (std::size_t i = count - std::min(count, places_.size()); i < count; ++i)
+    add(lines.line + i, {lines.line + i, lines.column[i]});
 }
 
 RecentBlocks::LineColumn RecentBlocks::place(std::uint64_t line) const {

@@ -11,6 +11,7 @@
 #include "certify/input/program.h"
 #include "spec/language/fanuc/block.h"
 #include "spec/language/heidenhain/klartext_block.h"
+#include "spec/language/line_columns.h"
 
 namespace toolcomp::cli {
 
@@ -48,6 +49,8 @@ class RecentBlocks {
 
   void add(const spec::Block& block);
   void add(const spec::klartext::Block& block);
+  // Of the first `count` of lines that were read together.
+  void add(const spec::LineColumns& lines, std::size_t count);
   // Of the block that begins in this line; column 1 of it where the block is no longer known.
   [[nodiscard]] LineColumn place(std::uint64_t line) const;
 

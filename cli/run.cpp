@@ -19,6 +19,7 @@
 #include "cli/unjudged.h"
 #include "cli/verbs.h"
 #include "cli/word_at_fault.h"
+#include "fast/arrays/line_road.h"
 #include "fast/basis/event.h"
 #include "fast/basis/print.h"
 #include "judge/oracle/control.h"
@@ -116,6 +117,7 @@ class Printer final : public spec::EventSink<Number> {
     notes_.read(block);
     if (notes_.wait()) say(notes_.take());
   }
+  void reading(const spec::LineColumns& lines, std::size_t count) { recent_.add(lines, count); }
   void reading(const spec::klartext::Block& block) {
     recent_.add(block);
     // The units of the events, too.
@@ -230,11 +232,9 @@ void feed(const Program& program, Engine& engine, Sink& sink) {
   const judge::StreamedProgram text = program.text();
   auto reader = Control::reader(text.open(), program.setup(), text.name, text.called_program);
   typename Control::Block block;
+  const auto reading = [&sink](const auto&... read) { sink.reading(read...); };
   try {
-    while (!engine.stopped() && reader.next(block)) {
-      sink.reading(block);
-      engine.block(block);
-    }
+    fast::LineRoad().run(reader, engine, block, reading, reading);
   } catch (const spec::InputError& error) {
     // The events before the bytes that could not be read stand.
     sink.flush();
@@ -302,6 +302,7 @@ struct Collector final : spec::EventSink<Number> {
   Unjudged unjudged;
   std::string unit;  // of a Klartext program
   void reading(const spec::Block& block) { recent.add(block); }
+  void reading(const spec::LineColumns& lines, std::size_t count) { recent.add(lines, count); }
   void reading(const spec::klartext::Block& block) {
     recent.add(block);
     if (block.statement == spec::klartext::Statement::begin_program && !block.alarm)

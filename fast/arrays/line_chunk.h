@@ -6,25 +6,35 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "fast/arrays/instructions.h"
 #include "fast/arrays/moves.h"
+#include "fast/basis/axis_mask.h"
+#include "fast/basis/event.h"
+#include "spec/language/line_columns.h"
 
 namespace toolcomp::fast {
 
-// Words of blocks: a column for each word, by its place. FANUC: the letter (A: 0). Klartext: X Y Z by their letters,
-// then the components of normal and tool vector.
-constexpr std::size_t word_place(char letter) { return static_cast<std::size_t>(letter - 'A'); }
-constexpr std::size_t kNormalPlace = 26;      // NX, NY, NZ
-constexpr std::size_t kToolVectorPlace = 29;  // TX, TY, TZ
-constexpr std::size_t kWordPlaces = 32;
-constexpr std::uint32_t place_bit(std::size_t place) { return std::uint32_t{1} << place; }
+using spec::kNormalPlace;
+using spec::kToolVectorPlace;
+using spec::kWordPlaces;
+using spec::place_bit;
+using spec::word_place;
+
+// What the events of lines have beside their columns.
+struct LineEvents {
+  Event event;             // of the first move
+  bool of_held = false;    // that is the move of the block held before the lines
+  bool by_vector = false;  // point is where the axes are sent; otherwise it is the programmed position
+  Mask moving = 0;         // axes that are sent somewhere else by each move
+};
 
 // Every block has the same words. Lengths and angles are whole numbers of 10^-6, below 2^50; of vectors in Klartext
 // programs, of 10^-8, below 10^9.
 struct LineChunk {
-  static constexpr std::size_t kMost = 256;
-  using Columns = std::array<std::array<double, kMost>, kWordPlaces>;
+  static constexpr std::size_t kMost = spec::LineColumns::kMost;
+  using Columns = spec::LineColumns::Columns;
   // Of a block held before them, and of them.
   using Column = std::array<double, kMost + 1>;
 
@@ -35,6 +45,8 @@ struct LineChunk {
   std::uint64_t line = 0;  // of the first block
   Instructions instructions = Instructions::baseline;
   Moves* moves = nullptr;  // with room for as many as there are blocks
+  const std::uint64_t* n = nullptr;  // their sequence numbers, or nothing
+  LineEvents* events = nullptr;      // where whole events are wanted
 
   // The words of the blocks; nullptr: they have none of these.
   [[nodiscard]] const double* word(std::size_t place) const {
@@ -53,7 +65,11 @@ struct LineChunk {
     some.size = count;
     some.first += from;
     some.line += from;
+    if (n != nullptr) some.n += from;
     return some;
+  }
+  [[nodiscard]] std::optional<std::uint64_t> number(std::size_t i) const {
+    return n == nullptr ? std::nullopt : std::optional(n[i]);
   }
 };
 

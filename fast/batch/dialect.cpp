@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "fast/arrays/line_road.h"
 #include "fast/fanuc/engine.h"
 #include "fast/heidenhain/engine.h"
 #include "spec/language/fanuc/program_reader.h"
@@ -75,6 +76,25 @@ class KlartextMaker final : public BlockMaker {
   const spec::Axes axes_;
 };
 
+// A reader of a text that follows another one of so many lines.
+template <class Reader>
+struct LaterReader {
+  Reader reader;
+  std::uint64_t before = 0;
+
+  template <class Block>
+  bool next(Block& block) {
+    if (!reader.next(block)) return false;
+    block.line += before;
+    return true;
+  }
+  void lines(spec::LineColumns& to, std::size_t most) {
+    reader.lines(to, most);
+    to.line += before;
+  }
+  void pass_lines(std::size_t count) { reader.pass_lines(count); }
+};
+
 // `Source`: the rest of what a reader is made of; `samples`: those of an engine that has them.
 template <class Engine, class Reader, class Block, class Maker, class Source>
 class EngineOf final : public BatchEngine {
@@ -84,11 +104,9 @@ class EngineOf final : public BatchEngine {
       : maker_(setup.axes), engine_(setup, sink, samples...), source_(std::move(source)) {}
 
   std::uint64_t run(std::string_view text, std::uint64_t before) override {
-    Reader reader(spec::text_source(text), source_);
-    for (Block block; !engine_.stopped() && reader.next(block);) {
-      block.line += before;
-      engine_.block(block);
-    }
+    LaterReader<Reader> reader{Reader(spec::text_source(text), source_), before};
+    Block block;
+    road_.run(reader, engine_, block);
     return static_cast<std::uint64_t>(std::ranges::count(text, '\n')) + (text.ends_with('\n') || text.empty() ? 0 : 1);
   }
   BlockMaker& maker() override { return maker_; }
@@ -101,6 +119,7 @@ class EngineOf final : public BatchEngine {
   Maker maker_;
   Engine engine_;
   Source source_;
+  LineRoad road_;
 };
 
 using FanucEngine = EngineOf<Engine, spec::ProgramReader, spec::Block, FanucMaker, spec::Axes>;

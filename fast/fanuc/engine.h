@@ -28,6 +28,8 @@ class Engine {
   // Blocks of lines as arrays (fast/batch): how many of them have been taken, their moves and that of a block held
   // before them written to the chunk's. 0: the first one is for block().
   [[nodiscard]] std::size_t lines(const LineChunk& chunk);
+  // The same of lines as they are read: their events go to the sink.
+  [[nodiscard]] std::size_t lines(const spec::LineColumns& lines);
   // The end of the text: flushes the look-ahead.
   void end();
   [[nodiscard]] bool stopped() const;

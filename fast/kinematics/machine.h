@@ -189,8 +189,8 @@ class Machine {
   [[nodiscard]] bool in_limits(const Pose& pose, std::size_t i) const;
   // The branch of the pair that moves the axis judged first by less; 0 where doubles cannot tell.
   [[nodiscard]] int nearer(const PolarPairs& pairs, const Pose& present) const;
-  // The short cut of choose_fine(), usual_pair.cpp. False where doubles cannot tell.
-  [[nodiscard]] bool usual_pair(const Direction& tool, const Pose& present, Pose& end) const;
+  // pair_in_doubles.cpp: what choose_fine() would choose. False where doubles cannot tell.
+  [[nodiscard]] bool choose_in_doubles(const Direction& tool, const Pose& present, Pose& end) const;
   // Pairs of positions inside the movement ranges, in units of counts, and their branches.
   struct FinePair {
     std::array<Int128, 2> value{};

@@ -11,8 +11,10 @@ enum class Fault : unsigned char {
 #include "fuzz/faults/faults.inc"
 #undef TOOLCOMP_FAULT
 #define TOOLCOMP_BATCH_FAULT(name, mistake) name,
+#define TOOLCOMP_ROAD_FAULT(name, mistake) name,
 #include "fuzz/faults/array_faults.inc"
 #undef TOOLCOMP_BATCH_FAULT
+#undef TOOLCOMP_ROAD_FAULT
 };
 
 // The fault in force, for one run of one thread.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
+#include "fast/arrays/line_road.h"
 #include "judge/oracle/control.h"
 #include "judge/oracle/verdict.h"
 
@@ -60,7 +61,10 @@ std::vector<fast::Event> run_fast(const spec::Case& c) {
   FastEvents sink(events);
   with_control(c.setup, [&]<class Control>(Control) {
     auto engine = Control::fast(c.setup, sink, c.samples);
-    run<Control>(c, engine, [](const typename Control::Block&) {});
+    auto reader = Control::reader(spec::text_source(c.program), c.setup, "program");
+    const auto block = std::make_unique<typename Control::Block>();
+    fast::LineRoad().run(reader, engine, *block);
+    engine.end();
   });
   return events;
 }

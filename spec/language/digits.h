@@ -25,7 +25,7 @@ struct Digits {
 };
 
 // Reads kDigitsRead bytes.
-inline Digits digits_at(const char* at) {
+[[gnu::always_inline]] inline Digits digits_at(const char* at) {
   std::uint64_t bytes = 0;
   std::memcpy(&bytes, at, sizeof bytes);
   bytes ^= 0x3030'3030'3030'3030;

@@ -11,9 +11,11 @@
 #include <type_traits>
 #include <vector>
 
+#include "fast/arrays/line_road.h"
 #include "fast/basis/print.h"
 #include "fast/fanuc/engine.h"
 #include "model/fanuc/engine.h"
+#include "spec/language/event_gcode.h"
 #include "spec/language/event_json.h"
 #include "spec/language/fanuc/program_reader.h"
 #include "spec/language/setup_format.h"
@@ -128,22 +130,72 @@ inline void from_text(benchmark::State& state, const Program& program) {
   count_blocks(state, kTextBlocks);
 }
 
+// Prints a path as `run --format gcode` does.
+class PathPrinter final : public fast::EventSink {
+ public:
+  explicit PathPrinter(const spec::Axes& axes) : axes_(axes) {}
+  [[gnu::flatten]] void on(const fast::Event& event) override {
+    if (text_.view().size() > kFlushAt) text_.clear();
+    spec::TextCursor out(text_);
+    const auto append = [this](spec::TextCursor& text, double value) {
+      text.write([&](char* to) { return numbers_.write(to, value); });
+    };
+    spec::append_event_gcode(out, event, axes_, append, state_);
+    if (event.kind == spec::EventKind::alarm) alarm_ = event.number.view();
+  }
+  [[nodiscard]] std::string_view text() const { return text_.view(); }
+  [[nodiscard]] const std::string& alarm() const { return alarm_; }
+
+ private:
+  static constexpr std::size_t kFlushAt = std::size_t{1} << 16U;
+  const spec::Axes& axes_;
+  fast::NumberWriter numbers_;
+  spec::TextBuffer text_;
+  spec::GcodeState<double> state_;
+  std::string alarm_;
+};
+
+// The body of a program again and again, and how many blocks it then has.
+struct LongText {
+  LongText(const Program& program, std::size_t body_blocks) {
+    const std::size_t rounds = std::max<std::size_t>(1, std::size_t{4} * kTextBlocks / body_blocks);
+    text = program.head;
+    for (std::size_t i = 0; i < rounds; ++i) text += program.body;
+    blocks = rounds * body_blocks * std::max(program.samples, 1U);
+  }
+  std::string text;
+  std::size_t blocks;
+};
+
+// The fast engine from the text of a program to that of its path.
+inline void text_to_path(benchmark::State& state, const Program& program) {
+  const spec::Setup setup = spec::read_setup_toml(program.setup, "setup");
+  const LongText long_text(program, read(program.body, setup.axes).size());
+  for (auto _ : state) {
+    PathPrinter printer(setup.axes);
+    fast::Engine engine(setup, printer, program.samples);
+    spec::ProgramReader reader(spec::text_source(long_text.text), setup.axes);
+    spec::Block block;
+    fast::LineRoad().run(reader, engine, block);
+    if (engine.stopped()) state.SkipWithError(("stopped: " + printer.alarm()).c_str());
+    engine.end();
+    benchmark::DoNotOptimize(printer.text());
+  }
+  count_blocks(state, long_text.blocks);
+}
+
 }  // namespace toolcomp::bench
 
-// A row for each engine of the program that the function of this name makes. In toolcomp_bench_general the one row is
-// that of the fast engine with every short cut closed (fast/basis/short_cut.h).
+// A row for each engine of the program that the function of this name makes, and one from its text to the text of the
+// path.
 // NOLINTBEGIN(cppcoreguidelines-macro-usage)
-#ifdef TOOLCOMP_GENERAL_PATHS
-#define TOOLCOMP_ROW(program)                                                                      \
-  void program##_fast(benchmark::State& state) { toolcomp::bench::fast_engine(state, program()); } \
-  BENCHMARK(program##_fast)->Name("general_path/" #program)
-#else
 #define TOOLCOMP_ROW(program)                                                                       \
   void program##_fast(benchmark::State& state) { toolcomp::bench::fast_engine(state, program()); }  \
   BENCHMARK(program##_fast)->Name(#program);                                                        \
+  void program##_text(benchmark::State& state) { toolcomp::bench::text_to_path(state, program()); } \
+  BENCHMARK(program##_text)->Name("text/" #program);                                                \
   void program##_model(benchmark::State& state) { toolcomp::bench::exact_model(state, program()); } \
   BENCHMARK(program##_model)->Name("model/" #program)
-#endif
 #define TOOLCOMP_TEXT_ROW(name, program)                                             \
   void name(benchmark::State& state) { toolcomp::bench::from_text(state, program); } \
   BENCHMARK(name)

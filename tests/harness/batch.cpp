@@ -408,8 +408,10 @@ TEST(Batch, GivesWhatTextGives) {
 TEST(Batch, AMistakeInTheArraysBreaksTheLaw) {
   constexpr std::pair<std::string_view, Fault> kFaults[] = {
 #define TOOLCOMP_BATCH_FAULT(name, mistake) {#name, Fault::name},
+#define TOOLCOMP_ROAD_FAULT(name, mistake)
 #include "fuzz/faults/array_faults.inc"
 #undef TOOLCOMP_BATCH_FAULT
+#undef TOOLCOMP_ROAD_FAULT
   };
   struct Restore {
     ~Restore() { active_fault = Fault::none; }

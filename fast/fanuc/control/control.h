@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "fast/arithmetic/count.h"
-#include "fast/arrays/line_chunk.h"
 #include "fast/basis/alarm.h"
 #include "fast/basis/event.h"
 #include "fast/fanuc/control/axes.h"
@@ -28,19 +27,6 @@
 #include "spec/language/setup.h"
 
 namespace toolcomp::fast {
-
-// Who takes blocks as they are read.
-class BlockTaker {
- public:
-  virtual void block(const spec::Block& block) = 0;
-  // Lines as arrays: how many of them have been taken, as block() would have. 0: the first one is for block().
-  [[nodiscard]] virtual std::size_t lines(const LineChunk& /*chunk*/) { return 0; }
-  // There is no further one.
-  virtual void end() = 0;
-
- protected:
-  ~BlockTaker() = default;
-};
 
 // The arc of a block, if it is one: its words, and centre, plane and direction as the event has them.
 struct BlockArc {
@@ -67,12 +53,18 @@ struct Control {
   ToolAttitude attitude;
   OffsetMemory memory;
   CutterValue cutter_value;
-  // Of the next block: the interpreter, or a stage that awaits usual ones.
-  BlockTaker* taker = nullptr;
   const bool refuses_repeats;  // 3403#6: an address twice in a block
   // The block.
   std::uint64_t line = 0;
   std::optional<std::uint64_t> n;
+
+  // Whether usual lines may come after the last block: words count as they are written, nothing of the modal state
+  // needs a look, and no value waits to come into force.
+  [[nodiscard]] bool awaits_lines() const {
+    return !refuses_repeats && modal.motion() <= kG01 && !modal.lacks_feed() && !modal.incremental() && units.plain() &&
+           !cutter_value.takes_edited() && !attitude.plans_tool() && !positions.length().pending() &&
+           positions.rounded() == 0 && positions.tool_offset().live() == 0 && positions.stale() == 0;
+  }
 
   // --- own moves of blocks ---
   // The positions of these axes and what follows from them: the tool direction, and what the axes are sent to.

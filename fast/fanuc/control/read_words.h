@@ -54,7 +54,7 @@ void ModalState::read_arc(const Words& words, const WordUnits& units, Arc& arc) 
                                                                bool incremental) {
   unsigned rest = axes;
   if (units.plain() && !incremental) [[likely]] {
-    const auto placed = [&](std::size_t axis) {
+    const auto placed = [&](std::size_t axis) __attribute__((always_inline)) {
       if ((rest & bit(axis)) == 0) [[unlikely]]
         return true;
       if (!place_usual(words.axis(axis), axis)) [[unlikely]]

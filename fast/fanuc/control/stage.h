@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "fast/arrays/line_chunk.h"
 #include "fast/basis/alarm.h"
 #include "fast/basis/event.h"
 #include "fast/fanuc/control/control.h"
@@ -57,9 +58,12 @@ class Stage {
   virtual void release() = 0;
 
   // --- blocks without commands ---
-  // A stage may take the next ones as they are read (Control::taker): a short cut. It gives any but a usual one back.
   // Positions, F and a code of group 01 (taken already), or nothing but a number; with their alarms.
   [[nodiscard]] virtual Alarm plain_block(const Words& words) = 0;
+
+  // Lines after the last block, as arrays: how many of them have been taken, as plain_block() would have. Asked where
+  // Control::awaits_lines().
+  [[nodiscard]] virtual std::size_t lines(const LineChunk& /*chunk*/) { return 0; }
 
   // --- blocks with commands ---
   // What the words of a block say to it.

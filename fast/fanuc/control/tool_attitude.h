@@ -65,14 +65,6 @@ class ToolAttitude {
   [[nodiscard]] bool completes_moves() const { return tip_.active() || tip_.samples(); }
   // The positions of these axes, the direction of the tool, and what follows from it for the rotary axes.
   [[nodiscard]] Alarm place(const Words& words, Mask axes);
-  // Under tool center point control, where no stage is on (usual_tip_lines.h): whether usual lines may come.
-  [[nodiscard]] bool awaits_lines() const;
-  // The positions of one are placed: what it does with rotary axes and tool. By positions, `turns`: of an axis that
-  // turns the tool; by I J K in 10^-6, not all 0.
-  [[nodiscard]] Alarm plan_line(bool turns);
-  [[nodiscard]] Alarm plan_line(std::int64_t i, std::int64_t j, std::int64_t k);
-  // What others see of the tool is as the last one left it.
-  void leave_lines() { take_posture(tip_.block().plan.end); }
   // G49: the programmed position becomes that of the axes. `again`, by another G43.4 or G43.5: that of the tip, and so
   // it does where cancel_moves().
   void end(bool again);
@@ -96,9 +88,6 @@ class ToolAttitude {
   void end_by_vector_alone(bool again);
   void add_length(Event& event) const;
   [[nodiscard]] std::uint32_t tag_direction();
-
-  // usual_tip_lines.cpp
-  [[nodiscard]] TipBlock& next_line();
 
   // tip_control.cpp: on a machine with kinematics.
   [[nodiscard]] Alarm start(const Words& words);

@@ -401,7 +401,6 @@ template <class Compensation>
   if constexpr (kIsC<Compensation>) block.path_made = compensation_.make_arc_path(block);
   set_arc_event(block, center);
   pass();
-  if (!control_.stopped) usual_.await(false);
   return AlarmCause::none;
 }
 
@@ -473,8 +472,34 @@ Alarm CutterStage<Compensation>::plain_block(const Words& words) {
   }
   control.fill_here(block.event, modal.straight(), spec::Cause::programmed);
   pass();
-  if (block.motion == CutterMotion::line && !control.stopped) usual_.await(true);
   return AlarmCause::none;
+}
+
+// The words are those of the axes in the plane, which have no length offset.
+template <class Compensation>
+std::size_t CutterStage<Compensation>::lines(const LineChunk& chunk) {
+  if constexpr (kIsC<Compensation>) {
+    const std::array<std::size_t, 2>& axis = control_.modal.plane_axis();
+    AxisPositions& positions = control_.positions;
+    CutterLines lines;
+    std::uint32_t words = 0;
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (axis[i] == spec::Axes::kNone) return 0;
+      const Count& at = positions.programmed()[axis[i]];
+      if (!at.is_small()) return 0;
+      lines.at[i] = at.small();
+      lines.word[i] = word_place(control_.axes.names.letter(axis[i]));
+      words |= place_bit(lines.word[i]);
+    }
+    if ((chunk.words & ~words) != 0 || positions.along_tool() ||
+        (positions.length().live() & (bit(axis[0]) | bit(axis[1]))) != 0)
+      return 0;
+    const std::size_t taken = compensation_.lines(chunk, lines);
+    for (std::size_t i = 0; i < 2 && taken != 0; ++i) positions.place_small(axis[i], lines.at[i]);
+    return taken;
+  } else {
+    return Stage::lines(chunk);
+  }
 }
 
 template class CutterStage<CutterCompensationB>;

@@ -5,38 +5,10 @@
 #include <array>
 
 #include "fast/fanuc/control/stage.h"
-#include "fast/fanuc/corner/usual_paths.h"
 #include "fast/fanuc/cutter_compensation_b/cutter_compensation_b.h"
-#include "fast/fanuc/cutter_compensation_b/usual_moves.h"
 #include "fast/fanuc/cutter_compensation_c/cutter_compensation_c.h"
-#include "fast/fanuc/cutter_compensation_c/usual_line.h"
 
 namespace toolcomp::fast {
-
-// The short cuts of a compensation: behind a block that has been taken the next ones go there, if they may be usual.
-template <class Compensation>
-struct CutterShortCuts;
-
-template <>
-struct CutterShortCuts<CutterCompensationB> {
-  CutterShortCuts(Control& control, CutterCompensationB& stage) : moves(control, stage) {}
-  void await(bool /*behind_line*/) { moves.await(); }
-
-  UsualCutterMoves moves;
-};
-
-template <>
-struct CutterShortCuts<CutterCompensationC> {
-  CutterShortCuts(Control& control, CutterCompensationC& stage)
-      : compensation(stage), lines(control, stage), paths(control, stage) {}
-  void await(bool behind_line) {
-    if (!(behind_line && lines.await()) && compensation.awaits_paths()) paths.await();
-  }
-
-  CutterCompensationC& compensation;
-  UsualCutterLines lines;
-  UsualPaths paths;
-};
 
 // Compensation: CutterCompensationB or CutterCompensationC.
 template <class Compensation>
@@ -44,10 +16,11 @@ class CutterStage final : public Stage {
  public:
   // Throws spec::InputError for parameters no control could have.
   CutterStage(const spec::Setup& setup, Control& control, EventSink& sink)
-      : Stage(control, false), compensation_(setup, sink), usual_(control, compensation_) {}
+      : Stage(control, false), compensation_(setup, sink) {}
 
   void release() override;
   [[nodiscard]] Alarm plain_block(const Words& words) override;
+  [[nodiscard]] std::size_t lines(const LineChunk& chunk) override;
   void read(const Words& words, const Command& command) override;
   [[nodiscard]] bool is_built(const Words& words) const override;
   [[nodiscard]] Alarm check(const Words& words, const Command& command) const override;
@@ -91,7 +64,6 @@ class CutterStage final : public Stage {
   void pass_alone(const CutterBlock& block);
 
   Compensation compensation_;
-  CutterShortCuts<Compensation> usual_;
   CutterSide side_ = CutterSide::off;  // G40 G41 G42 in force
   bool stops_ = false;                 // the block stops the look-ahead
 };

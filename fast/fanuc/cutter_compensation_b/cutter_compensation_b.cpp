@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "fast/fanuc/cutter_compensation_b/usual_arc.h"
+#include "fast/fanuc/cutter_compensation_b/arc_in_doubles.h"
 #include "fast/fanuc/program/arc.h"
 
 namespace toolcomp::fast {
@@ -130,7 +130,7 @@ void CutterCompensationB::straight() {
 
 // The vector at the end of an arc lies on the line of centre and end.
 Alarm CutterCompensationB::arc() {
-  if (usual_arc()) return AlarmCause::none;
+  if (arc_in_doubles()) return AlarmCause::none;
   const ArcWords words{block_.clockwise, block_.by_radius, block_.to_center, block_.radius};
   const Fine center = fine_center(block_.start, block_.end, words);  // from the start
   Fine end;
@@ -156,7 +156,7 @@ Alarm CutterCompensationB::arc() {
   return AlarmCause::none;
 }
 
-bool CutterCompensationB::usual_arc() {
+bool CutterCompensationB::arc_in_doubles() {
   if (block_.by_radius) return false;
   WholePair from{};
   WholePair to{};
@@ -170,26 +170,13 @@ bool CutterCompensationB::usual_arc() {
   }
   const Count length = signed_offset();
   const DoublePair vector{vector_.value[0], vector_.value[1]};
-  UsualArc arc;
-  if (!make_usual_arc(from, to, block_.clockwise ? -1 : 1, vector, length.nearest(), arc)) return false;
-  set_usual_arc(*block_.event.arc, arc);
+  ArcInDoubles arc;
+  if (!make_arc_in_doubles(from, to, block_.clockwise ? -1 : 1, vector, length.nearest(), arc)) return false;
+  block_.event.arc->sweep = arc.sweep;
+  block_.event.arc->radius = {arc.radius[0], arc.radius[1]};
   set_vector(arc.vector, arc.normal, length);
   send(vector_, true);
   return true;
-}
-
-bool CutterCompensationB::lend(UsualVector& vector) const {
-  if (!active_ || !made_) return false;
-  vector.event = &block_.event;
-  vector.sink = &sink_;
-  vector.offset = signed_offset().nearest();
-  vector.value = DoublePair{vector_.value[0], vector_.value[1]};
-  vector.is_new = false;
-  return vector.offset != 0;
-}
-
-void CutterCompensationB::take_back(const UsualVector& vector) {
-  if (vector.is_new) set_vector(vector.value, vector.normal, signed_offset());
 }
 
 void CutterCompensationB::set_vector(DoublePair value, const WholePair& normal, const Count& length) {

@@ -7,8 +7,8 @@
 
 #include "fast/arithmetic/double_double.h"
 #include "fast/basis/event.h"
-#include "fast/fanuc/cutter_compensation_b/usual_moves.h"
 #include "fast/fanuc/program/cutter_block.h"
+#include "fast/geometry/whole_pair.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::fast {
@@ -26,9 +26,6 @@ class CutterCompensationB {
   [[nodiscard]] CutterBlock& next() { return block_; }
   // Takes next() and sends its move.
   StageEnd block();
-  // The short cut of block(), asked behind it (usual_moves.h). False: the vector in force is not to be lent.
-  [[nodiscard]] bool lend(UsualVector& vector) const;
-  void take_back(const UsualVector& vector);
   // Nothing is ever held.
   [[nodiscard]] StageEnd release() const { return {}; }
 
@@ -48,8 +45,8 @@ class CutterCompensationB {
   [[nodiscard]] Count signed_offset() const;
   void straight();
   [[nodiscard]] Alarm arc();
-  // Such an arc (usual_arc.h), made and sent; false: it is for the general way, and nothing is done.
-  [[nodiscard]] bool usual_arc();
+  // Such an arc (arc_in_doubles.h), made and sent; false: doubles are not enough, and nothing is done.
+  [[nodiscard]] bool arc_in_doubles();
   void corner_arc();
   void cancel();
   void set_tool_arc(const Fine& old_head, const Fine& new_head, const DoubleDouble& scale);

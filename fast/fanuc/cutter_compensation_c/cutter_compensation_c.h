@@ -10,10 +10,9 @@
 
 #include "fast/basis/event.h"
 #include "fast/fanuc/corner/corner_queue.h"
-#include "fast/fanuc/corner/usual_paths.h"
 #include "fast/fanuc/cutter_compensation_c/cutter_group.h"
 #include "fast/fanuc/cutter_compensation_c/cutter_interference.h"
-#include "fast/fanuc/cutter_compensation_c/usual_line.h"
+#include "fast/fanuc/cutter_compensation_c/cutter_line_arrays.h"
 #include "fast/fanuc/program/cutter_block.h"
 #include "fast/geometry/path.h"
 #include "spec/language/setup.h"
@@ -29,9 +28,14 @@ struct CutterPath {
   [[nodiscard]] bool is_arc() const { return flat.arc; }
 };
 
+// Of lines as arrays: where the one before them ends in the plane, 10^-6, and the places of its words.
+struct CutterLines {
+  std::array<std::int64_t, 2> at{};
+  std::array<std::size_t, 2> word{};
+};
+
 // Look-ahead: a block that moves in the plane, blocks after it that do not, and the next one.
-class CutterCompensationC : public CornerQueue<CutterCompensationC, CutterBlock, CutterPath, CutterGroup>,
-                            public UsualPathLender {
+class CutterCompensationC : public CornerQueue<CutterCompensationC, CutterBlock, CutterPath, CutterGroup> {
  public:
   // Throws spec::InputError for parameters no control could have.
   CutterCompensationC(const spec::Setup& setup, EventSink& sink);
@@ -73,17 +77,9 @@ class CutterCompensationC : public CornerQueue<CutterCompensationC, CutterBlock,
     set_line(new_path().flat, block.start, block.end);
     return true;
   }
-  // The short cuts of block(), asked behind it. While a path is lent nothing else is asked. Lines (usual_line.h): what
-  // is held is a line that may be lent, with one vector at its start, and the next one makes a corner of the same
-  // offset with it.
-  [[nodiscard]] bool awaits_lines() const;
-  void lend(UsualLine& line);
-  // `end`: its programmed end, 10^-6.
-  void take_back(const UsualLine& line, const std::array<std::int64_t, 2>& end);
-  // Lines and arcs (corner/usual_paths.h).
-  [[nodiscard]] bool awaits_paths() const;
-  [[nodiscard]] bool lend(UsualLoan& loan) override;
-  void take_back(const UsualReturn& usual) override;
+  // Lines after the last block, as arrays, where that is a line that is held, with one vector at its start: how many of
+  // them make usual corners and have been taken, as block() would have. `lines.at` goes along.
+  [[nodiscard]] std::size_t lines(const LineChunk& chunk, CutterLines& lines);
   // Takes next(). An answer with an alarm or a typed undecided ends the run; what goes before it has been sent.
   StageEnd block();
   // No further block is known: a block that raises an alarm of its own (absent from the path), or the end of the
@@ -147,10 +143,10 @@ class CutterCompensationC : public CornerQueue<CutterCompensationC, CutterBlock,
   }
   void send_setting(const CutterBlock& block);
 
-  // Of the short cuts.
-  [[nodiscard]] bool awaits_usual() const;
-  // Of an arc: the vector at its start is one of its own offset circle.
-  [[nodiscard]] bool starts_on_circle() const;
+  // lines.cpp
+  [[nodiscard]] bool awaits_lines() const;
+  // The last of these lines is held.
+  void hold_last(const CutterLineEnd& end, const std::array<std::int64_t, 2>& at);
 
   CutterParameters parameters_;
   CutterGroups make_;

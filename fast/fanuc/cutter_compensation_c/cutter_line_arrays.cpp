@@ -62,7 +62,7 @@ template <bool kLong>
   }
 }
 
-// The corner between line i and line i + 1, as UsualCutterLines::make_corner(). `side`: +1 to the left.
+// The corner between line i and line i + 1: the vector where the offset tangents meet. `side`: +1 to the left.
 template <bool kLong>
 struct Corners {
   [[gnu::always_inline]] static void run(Lines* lines, std::size_t size, double offset, double side) {

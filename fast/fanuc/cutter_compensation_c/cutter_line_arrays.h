@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Usual lines of cutter compensation C by arrays: what usual_line.h does with one, for many at once.
+// Usual lines of cutter compensation C by arrays.
 #pragma once
 
 #include <array>

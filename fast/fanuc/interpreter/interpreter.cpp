@@ -13,11 +13,8 @@ Interpreter::Interpreter(const spec::Setup& setup, Control& control, const Stage
       cycle_(setup),
       shifts_system_(setup.bit(5006, 6)),
       sink_(sink),
-      moves_(&sink),
-      tip_lines_(control),
-      axis_lines_(control) {
+      moves_(&sink) {
   control_.begin(setup);
-  control_.taker = this;
 }
 
 void Interpreter::end() {
@@ -130,10 +127,6 @@ void Interpreter::block(const spec::Block& block) {
     return other_block(words);
   if (const Alarm a = plain_block(words, on_)) [[unlikely]]
     raise(a);
-  else if (control_.attitude.tip().active() && rest_)
-    tip_lines_.await();
-  else if (on_ == nullptr && words.axes() != 0 && !control_.refuses_repeats && may_be_lines())
-    axis_lines_.await(move_, *moves_);
 }
 
 void Interpreter::other_block(const Words& words) {

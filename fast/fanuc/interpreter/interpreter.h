@@ -13,8 +13,6 @@
 #include "fast/fanuc/canned_cycle/canned_cycle.h"
 #include "fast/fanuc/control/control.h"
 #include "fast/fanuc/control/stage.h"
-#include "fast/fanuc/control/usual_tip_lines.h"
-#include "fast/fanuc/interpreter/usual_axis_lines.h"
 #include "fast/fanuc/program/words.h"
 #include "fast/fanuc/tool_length_measurement/tool_length_measurement.h"
 #include "spec/language/fanuc/block.h"
@@ -22,14 +20,15 @@
 
 namespace toolcomp::fast {
 
-class Interpreter final : public BlockTaker {
+class Interpreter {
  public:
   // Refers to control and stages. Throws spec::InputError for a setup the control could not have.
   Interpreter(const spec::Setup& setup, Control& control, const Stages& stages, EventSink& sink);
 
-  void block(const spec::Block& block) override;
-  [[nodiscard]] std::size_t lines(const LineChunk& chunk) override;
-  void end() override;
+  void block(const spec::Block& block);
+  // Lines after the last block, as arrays: how many of them have been taken, as block() would have.
+  [[nodiscard]] std::size_t lines(const LineChunk& chunk);
+  void end();
 
  private:
   // interpreter.cpp: one block, step by step.
@@ -72,7 +71,7 @@ class Interpreter final : public BlockTaker {
   [[nodiscard]] bool release_held();
 
   // lines.cpp: lines for which no stage is on.
-  [[nodiscard]] bool may_be_lines() const;
+  [[nodiscard]] std::size_t uncompensated_lines(const LineChunk& chunk);
   // The axes its words name; 0: it has other words, or an offset of many places or digits.
   [[nodiscard]] Mask axes_of(const LineChunk& chunk) const;
 
@@ -132,8 +131,6 @@ class Interpreter final : public BlockTaker {
   EventSink& sink_;
   EventSink* moves_;  // where uncompensated moves go
   Event move_;        // the next one
-  UsualTipLines tip_lines_;
-  UsualAxisLines axis_lines_;
   // Behind the last block with commands: the stage that was on, and whether all of them rest.
   Stage* on_ = nullptr;
   bool rest_ = true;

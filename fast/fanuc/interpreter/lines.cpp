@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines as arrays where no stage is on: the axes go to their words, with their offsets.
+// Lines as arrays. Where no stage is on, the axes go to their words, with their offsets.
 #include <cstdlib>
 
 #include "fast/arrays/position_arrays.h"
@@ -8,12 +8,9 @@
 
 namespace toolcomp::fast {
 
-bool Interpreter::may_be_lines() const {
-  const AxisPositions& positions = control_.positions;
-  return !control_.stopped && !cycle_.on() && (on_ == nullptr || !on_->on()) && !positions.along_tool() &&
-         !positions.length().pending() && control_.modal.motion() <= (control_.modal.lacks_feed() ? kG00 : kG01) &&
-         control_.units.plain() && !control_.modal.incremental() && !control_.attitude.completes_moves() &&
-         positions.stale() == 0 && positions.rounded() == 0 && positions.tool_offset().live() == 0;
+std::size_t Interpreter::lines(const LineChunk& chunk) {
+  if (control_.stopped || cycle_.on() || !control_.awaits_lines()) return 0;
+  return on_ != nullptr && on_->on() ? on_->lines(chunk) : uncompensated_lines(chunk);
 }
 
 Mask Interpreter::axes_of(const LineChunk& chunk) const {
@@ -32,10 +29,18 @@ Mask Interpreter::axes_of(const LineChunk& chunk) const {
   return rest == 0 ? axes : Mask{0};
 }
 
-std::size_t Interpreter::lines(const LineChunk& chunk) {
-  const Mask axes = may_be_lines() ? axes_of(chunk) : Mask{0};
-  if (axes == 0) return 0;
+std::size_t Interpreter::uncompensated_lines(const LineChunk& chunk) {
   AxisPositions& positions = control_.positions;
+  const bool through_tip = positions.along_tool() || control_.attitude.completes_moves();
+  const Mask axes = through_tip ? Mask{0} : axes_of(chunk);
+  if (axes == 0) return 0;
+  if (chunk.events != nullptr) {
+    // Rotary words turn the tool that events show.
+    if ((axes & control_.axes.turning) != 0 && control_.kinematics.defined()) return 0;
+    control_.fill(chunk.events->event, control_.modal.straight(), spec::Cause::programmed);
+    chunk.events->of_held = chunk.events->by_vector = false;
+    chunk.events->moving = axes;
+  }
   Moves& moves = *chunk.moves;
   for (std::size_t axis = 0; axis < control_.axes.count; ++axis) {
     if ((axes & bit(axis)) == 0) {

@@ -51,18 +51,6 @@ class LeadingEdgeOffset {
   // G40: next() is the cancel move.
   void cancel();
 
-  // The usual line, the short cut of block() (usual_line.h): a block that moves, behind one that did and is held.
-  // Asked behind block(): whether take_line() may take the next ones.
-  [[nodiscard]] bool awaits_line() const;
-  // The event of the move that is held, and behind take_line() that of the line, to be filled in.
-  [[nodiscard]] Event& held_event() { return held().event; }
-  // A line that moves by `way` (10^-6 of a setup unit, whole numbers), not nothing: the move that is held goes out with
-  // its vector, made with `tool`, and the line is held in its place. `plain`: events are filled in without point, axes
-  // and machine, which would be `programmed` in X, Y and Z.
-  void take_line(const Vector3<double>& way, const Direction& tool, bool plain);
-  // Before any other block: what take_line() has left open of the line that is held, at whose end the tool stands so.
-  void complete_line(const Direction& tool, bool plain);
-
   // The block that a start-up alarm names.
   [[nodiscard]] std::uint64_t start_line() const { return start_line_; }
   [[nodiscard]] const std::optional<std::uint64_t>& start_n() const { return start_n_; }

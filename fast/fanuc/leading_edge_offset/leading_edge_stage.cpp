@@ -103,10 +103,7 @@ Alarm LeadingEdgeStage::follow(const Words& words, bool own, bool extra) {
   move.direction = &control_.attitude.directions().now();
   move.radius = radius_;
   // The only alarms here are those of the start-up move.
-  if (const Alarm a = offset_.block(event, !move.displacement.zero))
-    end_at_start(a);
-  else
-    await_lines();
+  if (const Alarm a = offset_.block(event, !move.displacement.zero)) end_at_start(a);
   return AlarmCause::none;
 }
 

@@ -5,17 +5,15 @@
 #include <cstdint>
 
 #include "fast/fanuc/control/stage.h"
-#include "fast/fanuc/control/usual_space_lines.h"
 #include "fast/fanuc/leading_edge_offset/leading_edge_offset.h"
 
 namespace toolcomp::fast {
 
-// A taker first: usual lines come to it without a detour.
-class LeadingEdgeStage final : private BlockTaker, public Stage {
+class LeadingEdgeStage final : public Stage {
  public:
   // Throws spec::InputError for parameters no control could have.
   LeadingEdgeStage(const spec::Setup& setup, Control& control, EventSink& sink)
-      : Stage(control, true), offset_(setup, control.kinematics, sink), lines_(control) {}
+      : Stage(control, true), offset_(setup, control.kinematics, sink) {}
 
   void set_sink(EventSink& sink) override { offset_.set_sink(sink); }
   void release() override;
@@ -34,19 +32,7 @@ class LeadingEdgeStage final : private BlockTaker, public Stage {
   [[nodiscard]] Alarm cancel();
   void end_at_start(Alarm alarm) { control_.end({alarm, nullptr, offset_.start_line(), offset_.start_n()}); }
 
-  // usual_edge_line.cpp
-  // Behind a block that has been taken: whether the next one may be a usual line.
-  void await_lines();
-  // While it may.
-  void block(const spec::Block& block) override;
-  void end() override;
-  // False, and nothing is done: no usual line.
-  [[nodiscard]] bool take_line(const spec::Block& block);
-  // Before any other block.
-  BlockTaker& leave_lines();
-
   LeadingEdgeOffset offset_;
-  UsualSpaceLines lines_;
   std::uint32_t d_ = 0;
   std::uint32_t d_read_ = 0;  // of the block read
   double radius_ = 0;         // of D, when it was applied

@@ -150,30 +150,6 @@ void ToolCenterPointControl::finish(const Pose& pose, const Pose& end, double le
     out_.on(event_);
 }
 
-bool ToolCenterPointControl::send_line(std::uint64_t line, const std::optional<std::uint64_t>& n, spec::MoveType type,
-                                       const std::optional<double>& feed, const Vector3<double>& at) {
-  const TipBlock& block = blocks_[current_];
-  const PosturePlan& plan = block.plan;
-  if (plan.branch_warning || plan.pre_turn || plan.post_turn) [[unlikely]]
-    return false;
-  event_.line = line;
-  event_.n = n;
-  event_.type = type;
-  event_.cause = spec::Cause::programmed;
-  event_.arc.reset();
-  if (type == spec::MoveType::rapid)
-    event_.feed.reset();
-  else
-    event_.feed = feed;
-  event_.programmed.present = linear_;
-  event_.point.present = linear_;
-  event_.axes.present = all_;
-  put(event_.programmed.value, at);
-  put(event_.point.value, at);
-  finish(plan.end, plan.end, block.length);
-  return true;
-}
-
 void ToolCenterPointControl::take(const Event& move) {
   event_.line = move.line;
   event_.n = move.n;

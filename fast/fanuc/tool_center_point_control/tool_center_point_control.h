@@ -52,13 +52,6 @@ class ToolCenterPointControl final : public EventSink {
 
   void on(const Event& event) override;
 
-  // Lines may come as send_line() takes them: on axes X Y Z and those of the machine alone, without samples.
-  [[nodiscard]] bool takes_lines() const { return active_ && !samples() && even_ == 0 && xyz_first_; }
-  // The move of block() as on() completes it: a line that ends `at` X Y Z. False, and nothing is sent: a warning or a
-  // turn belongs to it.
-  [[nodiscard]] bool send_line(std::uint64_t line, const std::optional<std::uint64_t>& n, spec::MoveType type,
-                               const std::optional<double>& feed, const Vector3<double>& at);
-
  private:
   [[nodiscard]] Vector3<double> point_of(const Event& event) const;
   // X Y Z of the axes of an event; not in loops, which would look up each of them.

@@ -96,7 +96,7 @@ void ToolPostureControl::plan(const Pose& start, const Pose& commanded, bool pos
     return;
   }
   const Target target{&commanded, nullptr};
-  if (!usual_plan(start, target, plan)) plan_finely(start, target, plan);
+  if (!plan_in_doubles(start, target, plan)) plan_finely(start, target, plan);
 }
 
 void ToolPostureControl::plan(const Pose& start, const Direction& tool, bool posture, PosturePlan& plan) const {
@@ -107,7 +107,7 @@ void ToolPostureControl::plan(const Pose& start, const Direction& tool, bool pos
   }
   const Target target{nullptr, &tool};
   if (posture && !stays(start, tool)) {
-    if (!usual_plan(start, target, plan)) plan_finely(start, target, plan);
+    if (!plan_in_doubles(start, target, plan)) plan_finely(start, target, plan);
     return;
   }
   if (machine_.choose(tool, start, plan.end))

@@ -69,9 +69,9 @@ class ToolPostureControl {
   [[nodiscard]] int branch_toward(const Pose& from, const Pose& to) const;
   [[nodiscard]] static bool stays(const Pose& start, const Direction& tool);
   void conventional(const Pose& start, const Pose& end, PosturePlan& plan) const;
-  // The short cut of plan_finely(), usual_posture.cpp. False where doubles cannot tell, or the block is not usual.
-  [[nodiscard]] bool usual_plan(const Pose& start, const Target& target, PosturePlan& plan) const;
-  void usual_motion(const Pose& start, int azimuth, PosturePlan& plan) const;
+  // posture_in_doubles.cpp: what plan_finely() would plan. False where doubles cannot tell.
+  [[nodiscard]] bool plan_in_doubles(const Pose& start, const Target& target, PosturePlan& plan) const;
+  void set_motion_in_doubles(const Pose& start, int azimuth, PosturePlan& plan) const;
   void plan_finely(const Pose& start, const Target& target, PosturePlan& plan) const;
 
   // Cases of plan_finely.

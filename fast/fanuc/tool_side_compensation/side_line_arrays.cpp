@@ -62,7 +62,7 @@ struct Tools {
   }
 };
 
-// The corner at the end of line i, before line i + 1: see_line() and take_line().
+// The corner at the end of line i, before line i + 1, as ToolSideCompensation::make_corner_in_doubles().
 struct Corners {
   [[gnu::always_inline]] static void run(Lines* lines, std::size_t size, double radius, double shortest) {
     constexpr double kMostSquare = 0x1p60;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Usual lines of tool side compensation by arrays: what usual_line.h does with one, for many at once.
+// Usual lines of tool side compensation by arrays.
 #pragma once
 
 #include <array>

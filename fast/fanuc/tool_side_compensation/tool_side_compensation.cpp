@@ -80,14 +80,7 @@ bool ToolSideCompensation::mismatches(const ToolSideBlock& block) const {
 }
 
 StageEnd ToolSideCompensation::block() {
-  if (line_.taken) complete_line();
   ToolSideBlock& block = next();
-  const StageEnd end = any_block(block);
-  await_usual(block);
-  return end;
-}
-
-[[gnu::always_inline]] inline StageEnd ToolSideCompensation::any_block(ToolSideBlock& block) {
   if (mode_ == Mode::starts) return second_block(block);
   if (mode_ == Mode::ends && block.wanted) return undecide(block, "fanuc.cutter-c.restart-before-removal");
   keep_without_direction();
@@ -287,6 +280,7 @@ StageEnd ToolSideCompensation::cancel_block(ToolSideBlock& block) {
   return {};
 }
 
+// With a second path, make_corner() sees how it turns.
 void ToolSideCompensation::set_corner(SideGroup& group, const SidePath* second, CornerRule /*rule*/) const {
   SideCorner& corner = group.corner;
   corner.first = last_;
@@ -295,11 +289,15 @@ void ToolSideCompensation::set_corner(SideGroup& group, const SidePath* second, 
   corner.first_side = last_->side;
   corner.second_side = second == nullptr ? last_->side : second->side;
   corner.offset = &last_->offset;
-  (void)geometry_.set_turn(corner);
+  if (second == nullptr) (void)geometry_.set_turn(corner);
 }
 
-// With the check where the plane changes.
+// With the check where the plane changes: where doubles make the corner it turns by less than 90 degrees, and nothing
+// is to be checked.
 Alarm ToolSideCompensation::make_corner(SideGroup& group, const SidePath& to, CornerRule rule) const {
+  if (rule == CornerRule::ordinary && treatment_ == Treatment::none && make_corner_in_doubles(group, to))
+    return AlarmCause::none;
+  (void)geometry_.set_turn(group.corner);
   if (!make_.make(group, rule, treatment_)) return AlarmCause::no_intersection;
   const SideCorner& corner = group.corner;
   const SidePath& path = *last_;
@@ -349,8 +347,6 @@ void ToolSideCompensation::keep_vector() {
 }
 
 StageEnd ToolSideCompensation::release() {
-  if (line_.taken) complete_line();
-  line_.awaited = false;
   keep_without_direction();
   while (held_ == Held::path) {
     if (const Alarm a = release_path()) return at_fault(a);

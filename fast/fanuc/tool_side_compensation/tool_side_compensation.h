@@ -12,7 +12,6 @@
 #include "fast/basis/event.h"
 #include "fast/fanuc/control/event_in_space.h"
 #include "fast/fanuc/corner/corner_queue.h"
-#include "fast/fanuc/corner/usual_paths.h"
 #include "fast/fanuc/tool_side_compensation/side_group.h"
 #include "fast/fanuc/tool_side_compensation/side_interference.h"
 #include "fast/fanuc/tool_side_compensation/side_line_arrays.h"
@@ -22,20 +21,10 @@
 
 namespace toolcomp::fast {
 
-// A corner of two lines as doubles see it: u and w are what is seen along the tool of the movements before and behind
-// it.
-struct LineCorner {
-  double square = 0;   // of the movement behind it
-  double product = 0;  // u . w
-  double length1 = 0;  // |u|
-  double length2 = 0;  // |w|
-};
-
 // Look-ahead: a block that moves at its own end, one block after it that does not move in the plane there, and the next
 // one. The one in between may move at its own end: it then waits, as a path of its own, until the one before it is out.
 // Before the path, where the corner at its start has several vectors, one block that keeps the last of them.
-class ToolSideCompensation : public CornerQueue<ToolSideCompensation, ToolSideBlock, SidePath, SideGroup>,
-                             public UsualPathLender {
+class ToolSideCompensation : public CornerQueue<ToolSideCompensation, ToolSideBlock, SidePath, SideGroup> {
  public:
   // Throws spec::InputError for parameters no control could have.
   ToolSideCompensation(const spec::Setup& setup, const Kinematics& kinematics, EventSink& sink);
@@ -58,48 +47,18 @@ class ToolSideCompensation : public CornerQueue<ToolSideCompensation, ToolSideBl
   // Takes next(). An answer with an alarm or a typed undecided ends the run; what goes before it has been sent.
   StageEnd block();
 
-  // The usual line, the short cut of block() (usual_line.h): behind a line another one, one vector at both ends of the
-  // former. Asked behind block(): whether take_line() may take the next block, and those behind it, as long as they
-  // want compensation and nothing changes but where the tool is and how it stands.
-  [[nodiscard]] bool awaits_line() const { return line_.awaited; }
-  // `plain`: point, axes and machine of the lines to come would be `programmed` in X, Y and Z. They need not be filled
-  // in.
-  void await_lines(bool plain) {
-    line_.plain = plain;
-    line_.filled = 0;
-    // What block() holds is filled in, whatever the lines to come will be.
-    if (!line_.taken) line_.held_plain = false;
-  }
-  // What is the same in the events of all these lines is in next().event; the first time it answers false.
-  [[nodiscard]] bool is_line_filled() {
-    const unsigned slot = 1U << next_;
-    const bool filled = (line_.filled & slot) != 0;
-    line_.filled |= slot;
-    return filled;
-  }
-  // A line that moves by `way` (10^-6 of a setup unit, whole numbers), in two steps. Where one answers false nothing is
-  // done: it is for block(), or doubles cannot tell. In between is a while for other work, as the roots are long in
-  // coming: the event of next() is to be filled in. `tool`: as in a block.
-  [[nodiscard]] bool see_line(const Vector3<double>& way, LineCorner& corner) const;
-  [[nodiscard]] bool take_line(const Vector3<double>& way, const LineCorner& corner, const Direction& tool);
-
-  // The same for many lines (side_line_arrays.h): from where, whether now, and how they ended: the line before the last
-  // one, unless only one has been taken, and the last one, whose event is in next().
-  [[nodiscard]] SideLineStart lines_start() const;
-  [[nodiscard]] bool holds_plain_line() const { return line_.taken && line_.held_plain && line_.plain && count_ == 1; }
+  // Lines after the last block, as arrays (lines.cpp): whether that is a line that is held, with one vector at its
+  // start, and lines may make ordinary corners with it; from where they go on; the last one that has been taken, and
+  // the one before it. Its event is in held_event().
+  [[nodiscard]] bool awaits_lines();
+  [[nodiscard]] SideLineStart lines_start();
   struct TakenLine {
-    Vector3<double> way;
-    const Direction& tool;
+    Vector3<double> way;  // 10^-6, whole numbers
+    Direction tool;       // at its end
   };
-  void set_lines(const TakenLine* before_last, const TakenLine& last, const Vector3<double>& vector);
-  // Of the event that is held.
-  [[nodiscard]] const Event& held_event() { return held(0).event; }
-
-  // Usual lines and arcs (corner/usual_paths.h), with the tool along the normal of the selected plane. Asked behind
-  // block(): whether the path that is held may be lent.
-  [[nodiscard]] bool awaits_paths() const { return awaits_paths_; }
-  [[nodiscard]] bool lend(UsualLoan& loan) override;
-  void take_back(const UsualReturn& usual) override;
+  void hold_last(const TakenLine& before, const TakenLine& last, const Vector3<double>& vector);
+  [[nodiscard]] const SidePath& held_path() const { return *last_; }
+  [[nodiscard]] Event& held_event() { return held(0).event; }
 
   // No further block is known: one that raises an alarm of its own or stops the look-ahead, or the end of the program.
   StageEnd release();
@@ -165,33 +124,8 @@ class ToolSideCompensation : public CornerQueue<ToolSideCompensation, ToolSideBl
   void keep_vector();
   StageEnd cancel_block(ToolSideBlock& block);
 
-  // Of the usual line.
-  struct UsualLine {
-    bool awaited = false;     // awaits_line()
-    bool taken = false;       // the path that is held was taken by take_line()
-    bool plain = false;       // of await_lines()
-    bool held_plain = false;  // the event that is held was left plain
-    unsigned filled = 0;      // bit i: is_line_filled() of slot i
-    Vector3<double> vector;   // at the start of the path that is held
-    double radius = 0;        // positive to the left
-  };
-  // Behind block(), which has just taken `block`: what is awaited.
-  void await_usual(const ToolSideBlock& block);
-  // The next path makes an ordinary corner of the same side and offset with the one that is held.
-  [[nodiscard]] bool holds_usual_path(const ToolSideBlock& block) const;
-  [[nodiscard]] bool can_await_line();
-  [[nodiscard]] bool can_await_paths();
-  // The tool moves ahead for certain along the line, from the vector at its start to the one at its end; `length` in
-  // the plane, whole units.
-  [[nodiscard]] bool goes_forward(const SidePath& path, double length, const Vector3<double>& vector) const;
-  // What take_line() leaves to be known of the path that is held and the corner at its start.
-  void complete_line();
-
-  // Of usual paths.
-  [[nodiscard]] bool lend_path(UsualLoan& loan) const;
-  // Of an arc: the vector at its start is one of its own offset circle.
-  [[nodiscard]] bool starts_on_circle();
-  void set_side_path(SidePath& to, const UsualPath& path, const std::array<std::size_t, 2>& in) const;
+  // The corner of two lines by doubles alone, as arrays make it. False where they cannot tell, or it is no usual one.
+  [[nodiscard]] bool make_corner_in_doubles(SideGroup& group, const SidePath& to) const;
 
   // Whether a line moves in a plane (No. 19630).
   [[nodiscard]] bool moves(const SeenLine& line, const ToolPlane& plane) const;
@@ -232,8 +166,6 @@ class ToolSideCompensation : public CornerQueue<ToolSideCompensation, ToolSideBl
   PathStart start_of_path_;
   const SidePath* joined_ = nullptr;  // the next path of the one that has gone out last; nullptr: it had none
   bool keeps_ = false;                // and that keeps the vector
-  UsualLine line_;
-  bool awaits_paths_ = false;
 
   Amount start_offset_;  // of type C
   Amount value_;         // in force

@@ -183,10 +183,7 @@ Alarm ToolSideStage::pass(const Words& words, bool extra, const BlockArc& arc) {
   }
   const StageEnd end = compensation_.block();
   set_on(is_on());
-  if (end)
-    control.end(end);
-  else
-    await_usual();
+  if (end) control.end(end);
   return AlarmCause::none;
 }
 

@@ -8,26 +8,22 @@
 #include <optional>
 
 #include "fast/fanuc/control/stage.h"
-#include "fast/fanuc/control/usual_space_lines.h"
-#include "fast/fanuc/corner/usual_paths.h"
 #include "fast/fanuc/tool_side_compensation/tool_side_compensation.h"
 
 namespace toolcomp::fast {
 
-// A taker first: usual lines come to it without a detour.
-class ToolSideStage final : private BlockTaker, public Stage {
+class ToolSideStage final : public Stage {
  public:
   // Throws spec::InputError for parameters no control could have.
   ToolSideStage(const spec::Setup& setup, Control& control, EventSink& sink)
       : Stage(control, true),
         compensation_(setup, control.kinematics, sink),
-        refuses_arcs_(setup.series == spec::Series::series_30i && control.kinematics.type() == 21),
-        lines_(control),
-        paths_(control, compensation_) {}
+        refuses_arcs_(setup.series == spec::Series::series_30i && control.kinematics.type() == 21) {}
 
   void set_sink(EventSink& sink) override { compensation_.set_sink(sink); }
   void release() override;
   [[nodiscard]] Alarm plain_block(const Words& words) override;
+  [[nodiscard]] std::size_t lines(const LineChunk& chunk) override;
   void read(const Words& words, const Command& command) override;
   [[nodiscard]] Alarm check(const Words& words, const Command& command) const override;
   [[nodiscard]] Alarm rotary_word() const override { return AlarmCause::rotary_word_in_compensation; }
@@ -48,26 +44,11 @@ class ToolSideStage final : private BlockTaker, public Stage {
   // A code is in force with a number, or a vector is not removed yet.
   [[nodiscard]] bool is_on() const { return wanted_ || compensation_.active(); }
 
-  // usual_side_line.cpp
-  // Behind a block that has been taken: whether the next one may be a usual line, or a usual path among arcs.
-  void await_usual();
-  // While it may.
-  void block(const spec::Block& block) override;
-  [[nodiscard]] std::size_t lines(const LineChunk& chunk) override;
-  void end() override;
-  // False, and nothing is done: no usual line.
-  [[nodiscard]] bool take_line(const spec::Block& block);
-  // Positions in 10^-6.
-  void fill_line(std::uint64_t line, const std::optional<std::uint64_t>& n, DoublePair xy, double z);
-  // Whether the blocks of a chunk may be usual lines.
-  [[nodiscard]] bool may_be_lines(const LineChunk& chunk) const;
-  void fill_last_line(std::uint64_t line, const Vector3<double>& at);
-  // Of line i of a chunk: where it ends, and how the tool stands there.
-  [[nodiscard]] Vector3<double> line_end(const LineChunk& chunk, std::size_t i) const;
-  void turn_tool(const LineChunk& chunk, std::size_t i);
-  // Behind the last one taken, which starts at `from`.
-  void finish_lines(const LineChunk& chunk, const SideLineEnd& end, const Vector3<double>& from,
-                    const ToolSideCompensation::TakenLine* before_last);
+  // lines_of_stage.cpp
+  // Whether the blocks of a chunk may be usual lines, and where X Y Z stand before them.
+  [[nodiscard]] bool may_be_lines(const LineChunk& chunk, Vector3<double>& at) const;
+  // The last one that has been taken is held. They began `at` X Y Z.
+  void hold_last(const LineChunk& chunk, const SideLineEnd& end, const Vector3<double>& at);
 
   ToolSideCompensation compensation_;
   bool refuses_arcs_;  // 30i, mixed machine
@@ -77,8 +58,6 @@ class ToolSideStage final : private BlockTaker, public Stage {
   CutterSide word_ = CutterSide::off;
   int sign_ = 1;         // +1 left: by code and sign of the value
   bool wanted_ = false;  // a code is in force with a number
-  UsualSpaceLines lines_;
-  UsualPaths paths_;
 };
 
 }  // namespace toolcomp::fast

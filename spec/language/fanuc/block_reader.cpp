@@ -73,17 +73,30 @@ std::array<Address, 256> addresses(const Axes& axes) {
   return table;
 }
 
+std::uint32_t letters_of_lines(const Axes& axes) {
+  std::uint32_t letters = 0;
+  for (const char c : axes.letters()) letters |= place_bit(word_place(c));
+  for (const char c : {'I', 'J', 'K'}) letters |= place_bit(word_place(c));
+  return letters;
+}
+
 }  // namespace
 
 BlockReader::BlockReader(std::unique_ptr<ByteSource> bytes, const Axes& axes, ReaderOptions options,
                          MacroVariables& variables, std::uint64_t first_line)
-    : options_(std::move(options)), variables_(variables), address_(addresses(axes)) {
+    : options_(std::move(options)),
+      variables_(variables),
+      address_(addresses(axes)),
+      line_letters_(letters_of_lines(axes)) {
   start(std::move(bytes), first_line);
 }
 
 BlockReader::BlockReader(std::string_view text, const Axes& axes, ReaderOptions options, MacroVariables& variables,
                          std::uint64_t first_line)
-    : options_(std::move(options)), variables_(variables), address_(addresses(axes)) {
+    : options_(std::move(options)),
+      variables_(variables),
+      address_(addresses(axes)),
+      line_letters_(letters_of_lines(axes)) {
   begin(text, first_line);
 }
 
@@ -393,7 +406,10 @@ bool BlockReader::read_usual_words(Block& block) {
     const Address& admitted = address_[static_cast<unsigned char>(letter)];
     // M may call a program, and what G10 writes is by L.
     if (!admitted.known || letter == 'M' || letter == 'L' || block.size == Block::kMaxWords) break;
-    Decimal value;
+    // Written in its place, part by part: a copy of what has just been written in parts would be waited for.
+    Word& word = block.word[block.size];
+    Decimal& value = word.value;
+    value.decimals = 0;
     const char* const end = read_usual(at + 1, admitted, value);
     if (end == nullptr) break;
     constexpr std::uint64_t kInUse = 4;  // G00 to G04 stand in most blocks
@@ -401,10 +417,13 @@ bool BlockReader::read_usual_words(Block& block) {
       if (code_not_supported(value) != nullptr) break;
       note_code(value);
     }
-    if (letter == 'N')
+    if (letter == 'N') {
       block.n = value.digits;
-    else
-      block.word[block.size++] = {letter, value, column_of(at)};
+    } else {
+      word.address = letter;
+      word.column = column_of(at);
+      ++block.size;
+    }
     at = *end == ' ' ? end + 1 : end;
   }
   if (at == position_) return false;
@@ -415,8 +434,10 @@ bool BlockReader::read_usual_words(Block& block) {
 
 [[gnu::always_inline]] inline const char* BlockReader::read_usual(const char* at, const Address& admitted,
                                                                   Decimal& value) const {
+  // Without a branch: signs follow no pattern.
   value.negative = *at == '-';
-  if (value.negative) ++at;
+  const bool has_sign = value.negative || *at == '+';
+  at += has_sign ? 1 : 0;
   const Digits before = digits_at(at);
   if (before.count > 7) return nullptr;
   at += before.count;
@@ -432,7 +453,7 @@ bool BlockReader::read_usual_words(Block& block) {
     count += behind.count;
   }
   // A number that reaches the end of the buffer may go on behind it.
-  if (count == 0 || at == end_ || *at == '.' || *at == '-' || (value.negative && !admitted.sign) ||
+  if (count == 0 || at == end_ || *at == '.' || *at == '-' || (has_sign && !admitted.sign) ||
       (value.point && !admitted.point))
     return nullptr;
   return at;

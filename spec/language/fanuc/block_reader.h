@@ -18,6 +18,7 @@
 #include "spec/language/digits.h"
 #include "spec/language/fanuc/block.h"
 #include "spec/language/fanuc/macro_variables.h"
+#include "spec/language/line_columns.h"
 #include "spec/language/reader_options.h"
 
 namespace toolcomp::spec {
@@ -57,6 +58,12 @@ class BlockReader {
   // The next block with at least one word (or an alarm); false at the end of the text or at the `%` that ends it.
   // Throws InputError for bytes that are no text. Does not allocate.
   bool next(Block& block);
+  // The lines after the block read last, at most `most`, that have the same usual words: axis words and I J K of at
+  // most seven digits before the point and six after it, G00 G01 and N, nothing else. There may be none. They are still
+  // to be read.
+  void lines(LineColumns& to, std::size_t most);
+  // Goes past the first `count` of the lines given last.
+  void pass_lines(std::size_t count);
   // Goes to the next block with this sequence number, in a text in memory; false if there is none.
   bool find(std::uint64_t sequence_number);
   // The jump of the block read last, if it has no alarm.
@@ -161,10 +168,20 @@ class BlockReader {
   // Goes past the END with this number; false if there is none.
   bool pass_loop(std::uint64_t number);
 
+  // The letters of usual words of a line, in their order.
+  struct LineShape {
+    std::array<char, 12> letter{};
+    std::size_t size = 0;
+  };
+  // Reads one more line that begins here, and returns its end; nullptr if it is not usual, or has not this shape. The
+  // first one makes the shape.
+  const char* read_line(const char* at, LineColumns& to, LineShape& shape) const;
+  // Its words, up to the end of the line.
+  const char* read_line_words(const char* at, LineColumns& to, LineShape& shape) const;
   // Reads words with at most a blank between them, as long as their numbers are of the usual form. False if the first
   // one is not.
   bool read_usual_words(Block& block);
-  // Reads a number of the usual form, [-]digits[.digits] with at most seven digits each, and returns its end; nullptr
+  // Reads a number of the usual form, [+-]digits[.digits] with at most seven digits each, and returns its end; nullptr
   // if it is or may be any other number.
   [[nodiscard]] const char* read_usual(const char* at, const Address& admitted, Decimal& value) const;
   bool read_slash(Block& block);
@@ -183,6 +200,7 @@ class BlockReader {
   ReaderOptions options_;
   MacroVariables& variables_;
   std::array<Address, 256> address_;
+  std::uint32_t line_letters_ = 0;                            // of usual lines: axes, I J K; A is bit 0
   std::array<char, kBufferSize + 2 * kDigitsRead> buffer_{};  // the byte at `end_` is 0
   const char* position_ = buffer_.data();
   const char* end_ = buffer_.data();
@@ -208,7 +226,8 @@ class BlockReader {
   bool scanning_ = false;
   bool has_variables_ = false;
   MacroCall macro_call_;
-  std::array<char, 8> passed_{};  // what was not read as words, from its first character
+  std::array<const char*, LineColumns::kMost> line_end_{};  // of the lines given last
+  std::array<char, 8> passed_{};                            // what was not read as words, from its first character
   std::size_t passed_size_ = 0;
 };
 

@@ -208,6 +208,13 @@ bool ProgramReader::next(Block& block) {
   return true;
 }
 
+void ProgramReader::lines(LineColumns& to, std::size_t most) {
+  to.size = 0;
+  if (!state_->over && state_->calls.empty() && state_->variables.jumps == 0) state_->main.lines(to, most);
+}
+
+void ProgramReader::pass_lines(std::size_t count) { state_->main.pass_lines(count); }
+
 std::string joined_program(std::string_view text, const Axes& axes, const ReaderOptions& options) {
   MacroVariables variables;
   BlockReader reader(text_source(text), axes, options, variables);

@@ -9,6 +9,7 @@
 #include "spec/language/axes.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/fanuc/block.h"
+#include "spec/language/line_columns.h"
 #include "spec/language/reader_options.h"
 
 namespace toolcomp::spec {
@@ -27,6 +28,10 @@ class ProgramReader {
   // ends it, after M99 of the main program, and after too many blocks of called programs. Throws InputError for bytes
   // that are not text. Allocates only if a program is called or a macro statement is read.
   bool next(Block& block);
+  // The usual lines after the block read last (BlockReader::lines); none in a called program, and after a jump. They
+  // are still to be read, but for those that pass_lines() goes past.
+  void lines(LineColumns& to, std::size_t most);
+  void pass_lines(std::size_t count);
 
  private:
   struct State;

@@ -59,6 +59,22 @@ inline void from_text(benchmark::State& state, const Program& program, std::size
   state.SetBytesProcessed(static_cast<std::int64_t>(text.size()) * state.iterations());
 }
 
+// The fast engine from the text of a program to that of its path.
+inline void text_to_path(benchmark::State& state, const Program& program) {
+  const spec::Setup setup = spec::read_setup_toml(program.setup, "setup");
+  const LongText long_text(program, read(program.body, setup).size());
+  for (auto _ : state) {
+    PathPrinter printer(setup.axes);
+    fast::klartext::Engine engine(setup, printer);
+    spec::klartext::Reader reader(spec::text_source(long_text.text), setup);
+    for (spec::klartext::Block block; reader.next(block);) engine.block(block);
+    if (engine.stopped()) state.SkipWithError(("stopped: " + printer.alarm()).c_str());
+    engine.end();
+    benchmark::DoNotOptimize(printer.text());
+  }
+  count_blocks(state, long_text.blocks);
+}
+
 }  // namespace toolcomp::bench::klartext
 
 // NOLINTBEGIN(cppcoreguidelines-macro-usage)
@@ -66,5 +82,7 @@ inline void from_text(benchmark::State& state, const Program& program, std::size
   void program##_fast(benchmark::State& state) { toolcomp::bench::klartext::fast_engine(state, program()); }  \
   BENCHMARK(program##_fast)->Name(#program);                                                                  \
   void program##_model(benchmark::State& state) { toolcomp::bench::klartext::exact_model(state, program()); } \
-  BENCHMARK(program##_model)->Name("model/" #program)
+  BENCHMARK(program##_model)->Name("model/" #program);                                                        \
+  void program##_text(benchmark::State& state) { toolcomp::bench::klartext::text_to_path(state, program()); } \
+  BENCHMARK(program##_text)->Name("text/" #program)
 // NOLINTEND(cppcoreguidelines-macro-usage)

@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fast/fanuc/cutter_compensation_b/usual_arc.h"
+#include "fast/fanuc/cutter_compensation_b/arc_in_doubles.h"
 
 #include <cmath>
 
-#include "fast/basis/short_cut.h"
 #include "fast/fanuc/corner/tool_arc.h"
 
 namespace toolcomp::fast {
 
 // Heads, the tool's places from the centre of its arc, are sums of two terms that are right to a few 2^-53. Radii that
 // may be equal go the general way: 2^-44 of the terms is far more than their errors.
-bool make_usual_arc(const WholePair& from, const WholePair& to, int sigma, DoublePair vector, double offset,
-                    UsualArc& arc) {
+bool make_arc_in_doubles(const WholePair& from, const WholePair& to, int sigma, DoublePair vector, double offset,
+                         ArcInDoubles& arc) {
   const auto is_center = [](const WholePair& at) { return at[0] == 0 && at[1] == 0; };
-  if (!is_open(ShortCut::cutter_b_arc) || !is_usual_way(from) || !is_usual_way(to) || is_center(from) || is_center(to))
-      [[unlikely]]
+  if (!is_usual_way(from) || !is_usual_way(to) || is_center(from) || is_center(to)) [[unlikely]]
     return false;
   arc.normal = {-sigma * to[0], -sigma * to[1]};
   const DoublePair normal = to_doubles(arc.normal);

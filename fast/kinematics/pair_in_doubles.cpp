@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The usual choice of the pair of rotary positions, in doubles: one is nearer, and inside the movement ranges.
+// The choice of the pair of rotary positions in doubles, where they can tell: one is nearer, and inside the movement
+// ranges.
 #include <algorithm>
 #include <cmath>
 
-#include "fast/basis/short_cut.h"
 #include "fast/kinematics/machine.h"
 #include "fast/kinematics/unit_angle.h"
 
@@ -51,8 +51,8 @@ DoublePair Machine::set_pair(const PolarPairs& pairs, int branch, DoublePair nea
   return gain > kSure ? 1 : (gain < -kSure ? -1 : 0);
 }
 
-[[gnu::always_inline]] inline bool Machine::usual_pair(const Direction& tool, const Pose& present, Pose& end) const {
-  if (!is_open(ShortCut::pair)) return false;
+[[gnu::always_inline]] inline bool Machine::choose_in_doubles(const Direction& tool, const Pose& present,
+                                                              Pose& end) const {
   set_direction(tool, end);
   PolarPairs pairs;
   if (polar_.solve(end.seen, end.relative, pairs) != Reach::two_pairs) [[unlikely]]
@@ -75,7 +75,7 @@ DoublePair Machine::set_pair(const PolarPairs& pairs, int branch, DoublePair nea
 }
 
 bool Machine::choose(const Direction& tool, const Pose& present, Pose& end) const {
-  return usual_pair(tool, present, end) || choose_fine(tool, present, end);
+  return choose_in_doubles(tool, present, end) || choose_fine(tool, present, end);
 }
 
 }  // namespace toolcomp::fast

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The posture of the usual block, in doubles: away from singular postures and the limits of reach.
+// The posture at the end of a block in doubles, where they can tell: away from singular postures and the limits of
+// reach.
 #include <cmath>
 
-#include "fast/basis/short_cut.h"
 #include "fast/fanuc/tool_posture_control/posture.h"
 
 namespace toolcomp::fast {
@@ -21,8 +21,8 @@ const NearLimit kNoLimit;
 }  // namespace
 
 // From `start` to plan.end along their circle.
-[[gnu::always_inline]] inline void ToolPostureControl::usual_motion(const Pose& start, int azimuth,
-                                                                    PosturePlan& plan) const {
+[[gnu::always_inline]] inline void ToolPostureControl::set_motion_in_doubles(const Pose& start, int azimuth,
+                                                                             PosturePlan& plan) const {
   const PolarFrame& polar = machine_.polar();
   const Pose& end = plan.end;
   const bool up = start.seen.z + end.seen.z > 0;
@@ -36,9 +36,9 @@ const NearLimit kNoLimit;
   }
 }
 
-bool ToolPostureControl::usual_plan(const Pose& start, const Target& target, PosturePlan& plan) const {
+bool ToolPostureControl::plan_in_doubles(const Pose& start, const Target& target, PosturePlan& plan) const {
   const PolarFrame& polar = machine_.polar();
-  if (!is_open(ShortCut::posture) || start.branch == 0) return false;
+  if (start.branch == 0) return false;
   Pose& end = plan.end;
   if (target.pose != nullptr) {
     if (target.pose != &end) end = *target.pose;
@@ -94,7 +94,7 @@ bool ToolPostureControl::usual_plan(const Pose& start, const Target& target, Pos
       return true;
     }
   }
-  usual_motion(start, found.azimuth, plan);
+  set_motion_in_doubles(start, found.azimuth, plan);
   return true;
 }
 

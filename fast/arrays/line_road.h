@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// The way of a program from its reader to an engine: usual lines many at once, everything else block by block.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+
+#include "spec/language/line_columns.h"
+
+namespace toolcomp::fast {
+
+struct Nobody {
+  template <class... Anything>
+  void operator()(const Anything&... /*anything*/) const {}
+};
+
+class LineRoad {
+ public:
+  // Runs the rest of the program. `on_block` sees every block that goes alone before the engine takes it; `on_lines`
+  // sees the lines that have gone together: columns, and how many of them.
+  template <class Reader, class Engine, class Block, class OnBlock = Nobody, class OnLines = Nobody>
+  void run(Reader& reader, Engine& engine, Block& block, const OnBlock& on_block = {}, const OnLines& on_lines = {}) {
+    pause_ = longer_pause_ = 0;
+    while (!engine.stopped() && reader.next(block)) {
+      on_block(block);
+      engine.block(block);
+      if constexpr (requires { engine.lines(*lines_); })
+        if (pause_ == 0 || --pause_ == 0) take_lines(reader, engine, block, on_lines);
+    }
+  }
+
+ private:
+  // Lines after a block: as many as the engine takes, more at a time as long as it takes all of them. Where it takes
+  // few, it is asked less often.
+  template <class Reader, class Engine, class Block, class OnLines>
+  void take_lines(Reader& reader, Engine& engine, const Block& block, const OnLines& on_lines) {
+    std::size_t all = 0;
+    for (std::size_t most = kFewest;; most = std::min(2 * most, spec::LineColumns::kMost)) {
+      reader.lines(*lines_, most);
+      const std::size_t taken = lines_->size >= kFewest && go_on(block) ? engine.lines(*lines_) : 0;
+      if (taken > 0) {
+        on_lines(*lines_, taken);
+        reader.pass_lines(taken);
+        all += taken;
+      }
+      if (taken < most) break;
+    }
+    longer_pause_ = all >= kFewest ? 0 : std::min(2 * longer_pause_ + 1, kLongestPause);
+    pause_ = longer_pause_;
+  }
+  // Lines go on where a block has gone: it has one of their words.
+  template <class Block>
+  [[nodiscard]] bool go_on(const Block& block) const {
+    return std::ranges::any_of(block.words(), [this](const auto& word) {
+      return (lines_->words & spec::place_bit(spec::word_place(word.address))) != 0;
+    });
+  }
+
+  static constexpr std::size_t kFewest = 8;
+  static constexpr std::size_t kLongestPause = 64;
+  std::unique_ptr<spec::LineColumns> lines_ = std::make_unique<spec::LineColumns>();
+  std::size_t pause_ = 0, longer_pause_ = 0;  // blocks until lines are tried again
+};
+
+}  // namespace toolcomp::fast
