@@ -3,6 +3,7 @@
 // Nothing allocates per block: neither the reader nor the engine, in any section.
 #include <gtest/gtest.h>
 
+#include "fast/arrays/line_road.h"
 #include "fast/fanuc/engine.h"
 #include "spec/language/fanuc/program_reader.h"
 #include "spec/language/setup_format.h"
@@ -58,6 +59,23 @@ void expect_no_allocation(const std::string& head, const std::string& body, std:
   EXPECT_GE(counter.moves, events_a_block * 10'000 / 2);
 }
 
+// The same by the road of usual lines.
+void expect_no_allocation_on_the_road(const std::string& head, const std::string& body) {
+  std::string program = head;
+  for (int i = 0; i < 1000; ++i) program += body;
+  const spec::Setup setup = test::setup_with_feed(kSetup);
+  Counter counter;
+  Engine engine(setup, counter);
+  spec::ProgramReader reader(spec::text_source(program), setup.axes);
+  spec::Block block;
+  LineRoad road;
+  const std::size_t before = allocations;
+  road.run(reader, engine, block);
+  engine.end();
+  EXPECT_EQ(allocations, before);
+  EXPECT_GE(counter.moves, 10'000U);
+}
+
 TEST(Allocation, CounterCounts) {
   const std::size_t before = allocations;
   delete new int(3);  // NOLINT(cppcoreguidelines-owning-memory)
@@ -69,6 +87,14 @@ TEST(Allocation, ToolLengthOffset) {
                        "G43 Z10 H1\nX1.5 Y2.25\nZ0.123456789012 H2\nG44\nG53 X0\nG28 Z5\nG10 L11 P2 R30.5\nG02 X5 Y5 "
                        "R40\nG03 X0 Y0 I-3 J2\nG20 G91 G01 X0.001\nG21 G90 G49\n",
                        1);
+}
+
+TEST(Allocation, UsualLines) {
+  const std::string around =
+      "X100 Y100\nX200\nX300 Y200\nX400\nX500 Y300\nX600\nX650\nY400\nX500 Y500\nX400\nX300\nX200 Y600\nX0\nX-100 Y0\n";
+  expect_no_allocation_on_the_road("G90 G01 F100 X0 Y0\n", around);
+  expect_no_allocation_on_the_road("G90 G01 F100 X-500 Y-500\nG42 D2 X-100 Y0\n", around);
+  expect_no_allocation_on_the_road("G90 G01 F100 B10 X-500 Y-500\nG42.2 D2 X-100 Y0\n", around + "F200\n");
 }
 
 TEST(Allocation, LeadingEdgeOffset) {

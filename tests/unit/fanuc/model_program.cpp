@@ -144,6 +144,9 @@ TEST(ModelProgram, ReferenceReturns) {
                    "2 rapid X100 Y0 Z0 C0 (reference)", "2 rapid X9 Y0 Z0 C30 (reference)",
                    "3 rapid X100 Y0 Z0 C30 (reference)", "3 rapid X10 Y0 Z0 C30 (reference)",
                    "4 rapid X100 Y0 Z0 C30 (reference)", "4 rapid X0 Y0 Z0 C30 (reference)"}));
+  // P is a number, however it is written.
+  EXPECT_EQ(machine("G30 P2.0 X0\n", keys), machine("G30 P2 X0\n", keys));
+  EXPECT_EQ(machine("G30 P02. X0\n", keys), machine("G30 P2 X0\n", keys));
   for (const char* block : {"G30 P1 X0", "G30 P5 X0", "G30 P2.5 X0"})
     EXPECT_EQ(moves(std::string(block) + "\n").back(), "1 PS0046");
 }
