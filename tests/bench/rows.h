@@ -114,22 +114,6 @@ inline void exact_model(benchmark::State& state, const Program& program) {
   go_round(state, program, setup, engine, path);
 }
 
-// The fast engine from the text of a program of kTextBlocks blocks to that of its events.
-inline void from_text(benchmark::State& state, const Program& program) {
-  const spec::Setup setup = spec::read_setup_toml(program.setup, "setup");
-  const std::string text = program.head + program.body;
-  Printer printer(setup.axes);
-  for (auto _ : state) {
-    fast::Engine engine(setup, printer);
-    spec::ProgramReader reader(spec::text_source(text), setup.axes);
-    for (spec::Block block; reader.next(block);) engine.block(block);
-    if (engine.stopped()) state.SkipWithError("alarm");
-    engine.end();
-    benchmark::DoNotOptimize(printer.text());
-  }
-  count_blocks(state, kTextBlocks);
-}
-
 // Prints a path as `run --format gcode` does.
 class PathPrinter final : public fast::EventSink {
  public:
@@ -196,7 +180,4 @@ inline void text_to_path(benchmark::State& state, const Program& program) {
   BENCHMARK(program##_text)->Name("text/" #program);                                                \
   void program##_model(benchmark::State& state) { toolcomp::bench::exact_model(state, program()); } \
   BENCHMARK(program##_model)->Name("model/" #program)
-#define TOOLCOMP_TEXT_ROW(name, program)                                             \
-  void name(benchmark::State& state) { toolcomp::bench::from_text(state, program); } \
-  BENCHMARK(name)
 // NOLINTEND(cppcoreguidelines-macro-usage)

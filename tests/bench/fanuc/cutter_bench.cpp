@@ -73,6 +73,5 @@ TOOLCOMP_ROW(cutter_c_lines);
 TOOLCOMP_ROW(cutter_c_acute);
 TOOLCOMP_ROW(cutter_c_line_and_arc);
 TOOLCOMP_ROW(cutter_c_arcs);
-TOOLCOMP_TEXT_ROW(text_to_path_cutter_c, around(ring(kTextBlocks, 600, 10, 20), 0, std::string(kSetup)));
 
 }  // namespace

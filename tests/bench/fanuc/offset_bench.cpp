@@ -115,7 +115,5 @@ TOOLCOMP_ROW(leading_edge_rotary_words);
 TOOLCOMP_ROW(leading_edge_ijk);
 TOOLCOMP_ROW(leading_edge_ties);
 TOOLCOMP_ROW(leading_edge_fine_ties);
-TOOLCOMP_TEXT_ROW(text_to_path, repeated(kSetup, "G90 G01 F1000. B30.\nG41.3 D1\n", turning, kTextBlocks));
-TOOLCOMP_TEXT_ROW(text_to_path_three_axes, repeated(kThreeAxes, "G90 G01 F1000. G43 Z0 H1\n", straight, kTextBlocks));
 
 }  // namespace

@@ -118,30 +118,5 @@ void face_milling_text_to_text(benchmark::State& state) {
   klartext::from_text(state, program("M128\n", Vectors::both, kTextBlocks), kTextBlocks, printer);
 }
 BENCHMARK(face_milling_text_to_text);
-// To a plain program with all compensation worked in.
-class ProgramPrinter final : public toolcomp::fast::EventSink {
- public:
-  explicit ProgramPrinter(const toolcomp::spec::Axes& axes) : axes_(axes) {}
-  [[gnu::flatten]] void on(const toolcomp::fast::Event& event) override {
-    text_.clear();
-    toolcomp::spec::TextCursor out(text_);
-    const auto append = [this](toolcomp::spec::TextCursor& text, double value) {
-      text.write([&](char* to) { return numbers_.write(to, value); });
-    };
-    toolcomp::spec::append_event_gcode(out, event, axes_, append, state_);
-  }
-
- private:
-  const toolcomp::spec::Axes& axes_;
-  toolcomp::fast::NumberWriter numbers_;
-  toolcomp::spec::TextBuffer text_;
-  toolcomp::spec::GcodeState<double> state_;
-};
-void face_milling_text_to_program(benchmark::State& state) {
-  const toolcomp::spec::Axes axes("XYZABC");
-  ProgramPrinter printer(axes);
-  klartext::from_text(state, program("M128\n", Vectors::both, kTextBlocks), kTextBlocks, printer);
-}
-BENCHMARK(face_milling_text_to_program);
 
 }  // namespace
