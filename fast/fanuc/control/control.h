@@ -61,8 +61,8 @@ struct Control {
   // Whether usual lines may come after the last block: words count as they are written, nothing of the modal state
   // needs a look, and no value waits to come into force.
   [[nodiscard]] bool awaits_lines() const {
-    return !refuses_repeats && modal.motion() <= kG01 && !modal.lacks_feed() && !modal.incremental() && units.plain() &&
-           !cutter_value.takes_edited() && !attitude.plans_tool() && !positions.length().pending() &&
+    return !refuses_repeats && modal.motion() <= (modal.lacks_feed() ? kG00 : kG01) && !modal.incremental() &&
+           units.plain() && !cutter_value.takes_edited() && !attitude.plans_tool() && !positions.length().pending() &&
            positions.rounded() == 0 && positions.tool_offset().live() == 0 && positions.stale() == 0;
   }
 
