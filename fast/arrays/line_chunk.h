@@ -44,7 +44,7 @@ struct LineChunk {
   std::size_t first = 0;   // of the columns
   std::uint64_t line = 0;  // of the first block
   Instructions instructions = Instructions::baseline;
-  Moves* moves = nullptr;  // with room for as many as there are blocks
+  Moves* moves = nullptr;            // with room for as many as there are blocks
   const std::uint64_t* n = nullptr;  // their sequence numbers, or nothing
   LineEvents* events = nullptr;      // where whole events are wanted
 
