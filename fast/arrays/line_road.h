@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <string_view>
 
 #include "spec/language/line_columns.h"
 
@@ -26,19 +27,20 @@ class LineRoad {
       on_block(block);
       engine.block(block);
       if constexpr (requires { engine.lines(*lines_); })
-        if (pause_ == 0 || --pause_ == 0) take_lines(reader, engine, block, on_lines);
+        if ((pause_ == 0 || --pause_ == 0) && moves(block)) take_lines(reader, engine, on_lines);
     }
   }
 
  private:
   // Lines after a block: as many as the engine takes, more at a time as long as it takes all of them. Where it takes
   // few, it is asked less often.
-  template <class Reader, class Engine, class Block, class OnLines>
-  void take_lines(Reader& reader, Engine& engine, const Block& block, const OnLines& on_lines) {
+  template <class Reader, class Engine, class OnLines>
+  void take_lines(Reader& reader, Engine& engine, const OnLines& on_lines) {
     std::size_t all = 0;
     for (std::size_t most = kFewest;; most = std::min(2 * most, spec::LineColumns::kMost)) {
       reader.lines(*lines_, most);
-      const std::size_t taken = lines_->size >= kFewest && go_on(block) ? engine.lines(*lines_) : 0;
+      const bool pays = lines_->size >= (all == 0 ? kFewest : kFewest / 2);
+      const std::size_t taken = pays ? engine.lines(*lines_) : 0;
       if (taken > 0) {
         on_lines(*lines_, taken);
         reader.pass_lines(taken);
@@ -49,15 +51,16 @@ class LineRoad {
     longer_pause_ = all >= kFewest ? 0 : std::min(2 * longer_pause_ + 1, kLongestPause);
     pause_ = longer_pause_;
   }
-  // Lines go on where a block has gone: it has one of their words.
+  // Lines follow a block with the word of an axis.
   template <class Block>
-  [[nodiscard]] bool go_on(const Block& block) const {
-    return std::ranges::any_of(block.words(), [this](const auto& word) {
-      return (lines_->words & spec::place_bit(spec::word_place(word.address))) != 0;
-    });
+  [[nodiscard]] static bool moves(const Block& block) {
+    constexpr std::string_view kOthers = "DFGHLMNOPQRST";
+    return std::ranges::any_of(block.words(),
+                               [&](const auto& word) { return kOthers.find(word.address) == std::string_view::npos; });
   }
 
-  static constexpr std::size_t kFewest = 8;
+  static constexpr std::size_t kFewest =
+      8;  // from here on arrays pay; of lines that are read already, from half of it on
   static constexpr std::size_t kLongestPause = 64;
   std::unique_ptr<spec::LineColumns> lines_ = std::make_unique<spec::LineColumns>();
   std::size_t pause_ = 0, longer_pause_ = 0;  // blocks until lines are tried again
