@@ -43,7 +43,7 @@ def engine(rows, before):
     yield "| row | floor | ns a block | times the floor | before |"
     yield "|---|---|---:|---:|---:|"
     for name, (time, _) in rows.items():
-        if re.match(r"floor/|model/|print|read|exact", name):
+        if re.match(r"floor/|model/|print|read|scan|exact", name):
             continue
         floor = guard.floor_of(name)
         was = f"{before[name]:.1f}" if name in before else ""

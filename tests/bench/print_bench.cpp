@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers to text: ours beside std::to_chars, the same numbers. fast/basis/print.cpp stays while its rows are ahead.
+// Numbers to text: ours beside std::to_chars and fmt, the same numbers. fast/basis/print.cpp stays while its rows are
+// ahead.
 #include <benchmark/benchmark.h>
+#include <fmt/compile.h>
 
 #include <array>
 #include <charconv>
@@ -52,6 +54,9 @@ char* write_by_library(char* to, double value) {
   return std::to_chars(to, to + fast::kNumberText, value, format).ptr;
 }
 
+// The shortest digits by the other library at hand, as it lays them out.
+char* write_by_fmt(char* to, double value) { return fmt::format_to(to, FMT_COMPILE("{}"), value); }
+
 using Numbers = std::vector<double> (*)();
 
 template <class Write>
@@ -68,6 +73,7 @@ void write(benchmark::State& state, Numbers make, Write write) {
 }
 
 void print_to_chars(benchmark::State& state, Numbers make) { write(state, make, write_by_library); }
+void print_fmt(benchmark::State& state, Numbers make) { write(state, make, write_by_fmt); }
 void print_ours(benchmark::State& state, Numbers make) { write(state, make, fast::write_number); }
 void print_number_writer(benchmark::State& state, Numbers make) {
   fast::NumberWriter writer;
@@ -75,10 +81,13 @@ void print_number_writer(benchmark::State& state, Numbers make) {
 }
 
 BENCHMARK_CAPTURE(print_to_chars, short_decimals, short_decimals);
+BENCHMARK_CAPTURE(print_fmt, short_decimals, short_decimals);
 BENCHMARK_CAPTURE(print_ours, short_decimals, short_decimals);
 BENCHMARK_CAPTURE(print_to_chars, full_doubles, full_doubles);
+BENCHMARK_CAPTURE(print_fmt, full_doubles, full_doubles);
 BENCHMARK_CAPTURE(print_ours, full_doubles, full_doubles);
 BENCHMARK_CAPTURE(print_to_chars, path, path_numbers);
+BENCHMARK_CAPTURE(print_fmt, path, path_numbers);
 BENCHMARK_CAPTURE(print_ours, path, path_numbers);
 BENCHMARK_CAPTURE(print_number_writer, path, path_numbers);
 

@@ -2,7 +2,10 @@
 // Programs from text in memory to blocks: bytes per second of the readers, one thread.
 #include <benchmark/benchmark.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <memory>
 #include <string>
 
 #include "spec/language/fanuc/program_reader.h"
@@ -105,5 +108,41 @@ void read_fanuc_line(benchmark::State& state) {
   count(state, text);
 }
 BENCHMARK(read_fanuc_line)->Unit(benchmark::kMillisecond);
+
+// The same as columns.
+void read_fanuc_columns(benchmark::State& state) {
+  const std::string text = fanuc_lines();
+  const auto columns = std::make_unique<spec::LineColumns>();
+  for (auto _ : state) {
+    spec::ProgramReader reader(spec::text_source(text), spec::Axes("XYZBC"));
+    std::size_t lines = 0;
+    for (spec::Block block; reader.next(block); ++lines)
+      for (reader.lines(*columns, spec::LineColumns::kMost); columns->size > 0;
+           reader.lines(*columns, spec::LineColumns::kMost)) {
+        reader.pass_lines(columns->size);
+        lines += columns->size;
+        benchmark::DoNotOptimize(columns->columns);
+      }
+    if (lines != kLines) state.SkipWithError("lines are missing");
+  }
+  count(state, text);
+}
+BENCHMARK(read_fanuc_columns)->Unit(benchmark::kMillisecond);
+
+// What no reader can be faster than: the ends of the lines, by the C library.
+void scan_line_ends(benchmark::State& state) {
+  const std::string text = fanuc_lines();
+  for (auto _ : state) {
+    std::int64_t lines = 0;
+    const char* const end = text.data() + text.size();
+    for (const void* at = text.data(); at != end; ++lines)
+      at = static_cast<const char*>(
+               std::memchr(at, '\n', static_cast<std::size_t>(end - static_cast<const char*>(at)))) +
+           1;
+    if (lines != kLines) state.SkipWithError("lines are missing");
+  }
+  count(state, text);
+}
+BENCHMARK(scan_line_ends)->Unit(benchmark::kMillisecond);
 
 }  // namespace

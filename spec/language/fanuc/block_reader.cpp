@@ -438,19 +438,27 @@ bool BlockReader::read_usual_words(Block& block) {
   value.negative = *at == '-';
   const bool has_sign = value.negative || *at == '+';
   at += has_sign ? 1 : 0;
-  const Digits before = digits_at(at);
-  if (before.count > 7) return nullptr;
-  at += before.count;
-  value.point = *at == '.';
-  value.digits = before.number;
-  unsigned count = before.count;
-  if (value.point) {
-    const Digits behind = digits_at(++at);
-    if (behind.count > 7) return nullptr;
-    at += behind.count;
-    value.digits = value.digits * kPowersOfTen[behind.count] + behind.number;
-    value.decimals = static_cast<std::uint8_t>(behind.count);
-    count += behind.count;
+  unsigned count = 1;
+  if (const ShortDecimal number = short_decimal_at(at); number.size != 0) [[likely]] {
+    at += number.size;
+    value.point = true;
+    value.digits = number.digits;
+    value.decimals = static_cast<std::uint8_t>(number.decimals);
+  } else {
+    const Digits before = digits_at(at);
+    if (before.count > 7) return nullptr;
+    at += before.count;
+    value.point = *at == '.';
+    value.digits = before.number;
+    count = before.count;
+    if (value.point) {
+      const Digits behind = digits_at(++at);
+      if (behind.count > 7) return nullptr;
+      at += behind.count;
+      value.digits = value.digits * kPowersOfTen[behind.count] + behind.number;
+      value.decimals = static_cast<std::uint8_t>(behind.count);
+      count += behind.count;
+    }
   }
   // A number that reaches the end of the buffer may go on behind it.
   if (count == 0 || at == end_ || *at == '.' || *at == '-' || (has_sign && !admitted.sign) ||

@@ -18,19 +18,27 @@ bool may_lack(char letter) { return letter != 'I' && letter != 'J' && letter != 
 [[gnu::always_inline]] inline const char* read_column_number(const char* at, double& to) {
   const bool negative = *at == '-';
   at += negative || *at == '+' ? 1 : 0;  // without a branch: signs follow no pattern
-  const Digits before = digits_at(at);
-  at += before.count;
-  auto value = static_cast<std::int64_t>(before.number * kPowersOfTen[kColumnDecimals]);
-  unsigned count = before.count;
-  if (*at == '.') {
-    const Digits behind = digits_at(++at);
-    if (behind.count > kColumnDecimals) [[unlikely]]
+  std::int64_t value = 0;
+  if (const ShortDecimal number = short_decimal_at(at); number.size != 0) [[likely]] {
+    value = static_cast<std::int64_t>(number.digits * kPowersOfTen[kColumnDecimals - number.decimals]);
+    at += number.size;
+  } else {
+    const Digits before = digits_at(at);
+    at += before.count;
+    value = static_cast<std::int64_t>(before.number * kPowersOfTen[kColumnDecimals]);
+    unsigned count = before.count;
+    if (*at == '.') {
+      const Digits behind = digits_at(++at);
+      if (behind.count > kColumnDecimals) [[unlikely]]
+        return nullptr;
+      at += behind.count;
+      value += static_cast<std::int64_t>(behind.number * kPowersOfTen[kColumnDecimals - behind.count]);
+      count += behind.count;
+    }
+    if (count == 0 || before.count > 7) [[unlikely]]
       return nullptr;
-    at += behind.count;
-    value += static_cast<std::int64_t>(behind.number * kPowersOfTen[kColumnDecimals - behind.count]);
-    count += behind.count;
   }
-  if (count == 0 || before.count > 7 || *at == '.' || *at == '-') [[unlikely]]
+  if (*at == '.' || *at == '-') [[unlikely]]
     return nullptr;
   to = static_cast<double>(negative ? -value : value);
   return at;
