@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a FANUC program: the reader ends, the size of the pieces it gets does not matter, and a block without
-// alarm is read back from its own text.
+// Any bytes as a FANUC program: the reader ends, the size of the pieces it gets does not matter, lines read many at a
+// time are the same lines, and a block without alarm is read back from its own text.
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,6 +15,7 @@
 #include "fuzz/targets/worker.h"
 #include "spec/language/fanuc/program_reader.h"
 #include "spec/language/input_error.h"
+#include "spec/language/line_columns.h"
 
 namespace {
 
@@ -25,6 +28,45 @@ struct Outcome {
   std::vector<Block> blocks;
   std::string error;
 };
+
+bool same(const Block& a, const Block& b) { return a.n == b.n && std::ranges::equal(a.words(), b.words()); }
+
+constexpr std::array<double, 7> kScale{1e6, 1e5, 1e4, 1e3, 1e2, 1e1, 1};
+// A block again, of a line among columns. Its numbers are whole numbers of 10^-6.
+bool is_line(const Block& block, const LineColumns& columns, std::size_t line) {
+  const auto has_place = [&](const Word& word) {
+    const auto value = static_cast<double>(word.value.digits) * (word.value.negative ? -1 : 1);
+    if (word.address == 'G') return value == columns.code;
+    return (columns.words & place_bit(word_place(word.address))) != 0 &&
+           value * kScale[word.value.decimals] == columns.columns[word_place(word.address)][line];
+  };
+  return !block.alarm && block.size != 0 && block.line == columns.line + line &&
+         block.n == (columns.numbered ? std::optional(columns.n[line]) : std::nullopt) &&
+         block.word[0].column == columns.column[line] && std::ranges::all_of(block.words(), has_place);
+}
+
+// The same text with some of its lines read as columns: they are those blocks.
+void read_by_columns(std::string_view text, bool block_skip, std::size_t pieces, const std::vector<Block>& blocks) {
+  const auto columns = std::make_unique<LineColumns>();
+  ProgramReader reader(std::make_unique<toolcomp::fuzz::Pieces>(text, pieces), Axes(kAxes),
+                       {.file = "p", .block_skip = block_skip, .called_program = {}, .most_repeated = 1000});
+  std::size_t at = 0;
+  Block block;
+  try {
+    while (reader.next(block)) {
+      require(at < blocks.size() && same(block, blocks[at]) && block.line == blocks[at].line);
+      ++at;
+      reader.lines(*columns, 1 + pieces);
+      const std::size_t passed = columns->size / 2;
+      for (std::size_t i = 0; i < passed; ++i) require(at + i < blocks.size() && is_line(blocks[at + i], *columns, i));
+      if (passed > 0) reader.pass_lines(passed);
+      at += passed;
+    }
+  } catch (const InputError&) {
+    return;
+  }
+  require(at == blocks.size());
+}
 
 Outcome read(std::unique_ptr<ByteSource> source, bool block_skip) {
   ProgramReader reader(std::move(source), Axes(kAxes),
@@ -39,8 +81,6 @@ Outcome read(std::unique_ptr<ByteSource> source, bool block_skip) {
   require(!reader.next(block));
   return outcome;
 }
-
-bool same(const Block& a, const Block& b) { return a.n == b.n && std::ranges::equal(a.words(), b.words()); }
 
 bool same_place(const Block& a, const Block& b) {
   const bool alarms = a.alarm.has_value() == b.alarm.has_value() &&
@@ -70,6 +110,7 @@ void hold(std::string_view bytes) {
   const std::string_view text = bytes.substr(1);
   const Outcome whole = read(text_source(text), block_skip);
   const Outcome pieces = read(std::make_unique<toolcomp::fuzz::Pieces>(text, 1 + first / 2U), block_skip);
+  read_by_columns(text, block_skip, 1 + first / 2U, whole.blocks);
   require(whole.error == pieces.error && whole.blocks.size() == pieces.blocks.size());
   for (std::size_t i = 0; i < whole.blocks.size(); ++i) {
     require(same(whole.blocks[i], pieces.blocks[i]) && same_place(whole.blocks[i], pieces.blocks[i]));
