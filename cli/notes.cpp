@@ -101,14 +101,16 @@ void Notes::moved(std::uint64_t line, spec::Cause cause, spec::MoveType type, co
   const Place from = std::exchange(programmed_, programmed);
   const Place tool = std::exchange(point_, point);
   if (!watches_ || type == spec::MoveType::arc) return;
+  double along = 0;
+  for (std::size_t i = 0; i < 3; ++i) along += (programmed.at(i) - from.at(i)) * (point.at(i) - tool.at(i));
+  // Most moves run forward, and their lengths are asked of none.
+  if (cause != spec::Cause::start_up && along >= 0) return;
   const double way = distance(from, programmed);
   const double radius = distance(programmed, point);
   constexpr double kNothing = 0.001;  // of the setup's units: less is not worth a word
   if (cause == spec::Cause::start_up && way > kNothing && way < radius - kNothing)
     add(kShort, line, fmt::format("the start-up move of {:.6g} is shorter than the radius {:.6g}", way, radius));
   if (cause != spec::Cause::programmed || way < kNothing || distance(from, tool) < kNothing) return;
-  double along = 0;
-  for (std::size_t i = 0; i < 3; ++i) along += (programmed.at(i) - from.at(i)) * (point.at(i) - tool.at(i));
   if (along < -kNothing * way)
     add(kBackwards, line,
         fmt::format("the tool runs {:.6g} against the programmed direction in this block", -along / way));
