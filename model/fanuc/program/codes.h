@@ -83,7 +83,7 @@ inline std::vector<std::size_t> axes_in(AxisMask mask) {
 inline AxisMask nonzero(const std::array<Rational, spec::kMaxAxes>& values) {
   AxisMask mask = 0;
   for (std::size_t i = 0; i < values.size(); ++i)
-    if (values.at(i) != 0) mask = with(mask, i);
+    if (!values.at(i).is_zero()) mask = with(mask, i);
   return mask;
 }
 

@@ -32,7 +32,9 @@ struct Leg {
 
   [[nodiscard]] Rational shift_of(std::size_t axis) const { return shift ? shift->at(axis) : 0; }
   // Where the tool is at the end, before compensation and length offset.
-  [[nodiscard]] Coordinate actual(std::size_t axis) const { return end.at(axis) + Coordinate(shift_of(axis)); }
+  [[nodiscard]] Coordinate actual(std::size_t axis) const {
+    return shift ? end.at(axis) + Coordinate(shift->at(axis)) : end.at(axis);
+  }
 };
 
 // A leg with everything that length offset, tool direction and compensation say about its end.

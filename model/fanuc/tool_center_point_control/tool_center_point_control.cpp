@@ -27,7 +27,8 @@ Vector place_of(const Position& position, const spec::Axes& axes) {
 
 // The shift of G45 to G48 in X Y Z.
 Vector shift_of(const Leg& leg, const spec::Axes& axes) {
-  return in_space(axes, [&](std::size_t axis) { return leg.shift ? leg.shift->at(axis) : Rational(0); });
+  if (!leg.shift) return {};
+  return in_space(axes, [&](std::size_t axis) { return leg.shift->at(axis); });
 }
 
 // Known to be one pose.
@@ -85,9 +86,11 @@ Position ToolCenterPointControl::angles(const Position& position) const {
 
 void ToolCenterPointControl::decide_angles() const {
   bool displaced = false;
-  for (std::size_t i = 0; i < axes_.size(); ++i)
-    if (kinematics_.turns(i) && known_difference(interpreter_.work().zero(i).angle(), 0) != Rational(0))
-      displaced = true;
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    if (!kinematics_.turns(i)) continue;
+    const Angle zero = interpreter_.work().zero(i).angle();
+    displaced = displaced || !zero.is_rational() || !zero.rational().is_zero();
+  }
   // fanuc.tool-direction.rotary-angles: The angles of the rotary axes that turn tool and table are machine coordinates:
   // programmed position plus workpiece zero and G92 shift of the axis. A change of coordinates moves nothing and
   // changes no direction.
