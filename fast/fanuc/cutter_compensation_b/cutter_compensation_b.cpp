@@ -173,7 +173,8 @@ bool CutterCompensationB::arc_in_doubles() {
   ArcInDoubles arc;
   if (!make_arc_in_doubles(from, to, block_.clockwise ? -1 : 1, vector, length.nearest(), arc)) return false;
   block_.event.arc->sweep = arc.sweep;
-  block_.event.arc->radius = {arc.radius[0], arc.radius[1]};
+  const DoublePair& radius = arc.radius;
+  block_.event.arc->radius = {radius[0], radius[1]};
   set_vector(arc.vector, arc.normal, length);
   send(vector_, true);
   return true;

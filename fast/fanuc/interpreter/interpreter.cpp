@@ -41,11 +41,11 @@ void Interpreter::raise(Alarm alarm, const char* more) {
 
 [[gnu::always_inline]] inline Alarm Interpreter::uncompensated(const Words& words, bool own, bool extra,
                                                                const std::optional<spec::Arc<double>>& arc) {
-  constexpr std::uint32_t kDirectionLetters = Words::set_of("IJK");
+  constexpr std::uint32_t kToolLetters = Words::set_of("IJK");
   const ModalState& modal = control_.modal;
   const Mask axes = own ? words.axes() : Mask{0};
   if (const Alarm a = control_.place_words(words, axes)) return a;
-  if (axes == 0 && !extra && !arc && !(own && modal.by_vector() && words.has_any(kDirectionLetters)))
+  if (axes == 0 && !extra && !arc && !(own && modal.by_vector() && words.has_any(kToolLetters)))
     return AlarmCause::none;
   control_.fill_here(move_, arc ? spec::MoveType::arc : modal.straight(), spec::Cause::programmed);
   if (arc) move_.arc = arc;
