@@ -27,11 +27,16 @@ class LineRoad {
       on_block(block);
       engine.block(block);
       if constexpr (requires { engine.lines(*lines_); })
-        if ((pause_ == 0 || --pause_ == 0) && moves(block)) take_lines(reader, engine, on_lines);
+        if (is_time() && moves(block)) take_lines(reader, engine, on_lines);
     }
   }
 
  private:
+  // Whether lines are tried after this block.
+  [[nodiscard]] bool is_time() {
+    if (pause_ > 0) --pause_;
+    return pause_ == 0;
+  }
   // Lines after a block: as many as the engine takes, more at a time as long as it takes all of them. Where it takes
   // few, it is asked less often.
   template <class Reader, class Engine, class OnLines>

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <numbers>
 #include <random>
 #include <string>
 #include <string_view>
@@ -137,9 +138,9 @@ spec::Case walk(const Under& under, std::uint64_t seed) {
       style = below(8);
     }
     double length = 0.7 + about(1);
-    if (style == 0) heading += about(6.28);
-    if (style == 1) heading = std::round(heading) + (below(20) == 0 ? 3.14159265 : 0);
-    if (style == 2) heading = 1.5707963 * below(4);
+    if (style == 0) heading += about(2 * std::numbers::pi);
+    if (style == 1) heading = std::round(heading) + (below(20) == 0 ? std::numbers::pi : 0);
+    if (style == 2) heading = std::numbers::pi / 2 * below(4);
     if (style == 3) length = below(3) == 0 ? 0 : length;
     if (style == 4) length = 100 + about(100);
     if (style > 2) heading += about(style == 4 ? 1 : 0.2);

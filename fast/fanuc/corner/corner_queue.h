@@ -41,7 +41,7 @@
 namespace toolcomp::fast {
 
 // Of the blocks that one stage takes at a time.
-inline constexpr std::size_t kMostSlots = 2 * kMostBlocksRead;
+inline constexpr std::size_t kMostSlots = std::size_t{2} * kMostBlocksRead;
 
 template <class Section, class Block, class Path, class Group>
 class CornerQueue {

@@ -181,9 +181,9 @@ void SideGeometry::set_tilted(SideCorner& corner, const ToolPlane& plane) const 
   corner.up = nearest(first.left);
   DoubleDouble c = dot(second.ahead, first.left);
   DoubleDouble k = dot(second.ahead, first.ahead);
-  constexpr double kTie = 0x1p-90;
-  if (corner.second == nullptr || std::abs(c.hi) <= kTie) c = {};
-  if (std::abs(k.hi) <= kTie) k = {};
+  constexpr double kTurnTie = 0x1p-90;
+  if (corner.second == nullptr || std::abs(c.hi) <= kTurnTie) c = {};
+  if (std::abs(k.hi) <= kTurnTie) k = {};
   Corner& flat = corner.plane;
   flat.turn = {c.hi, k.hi, 1};
   const auto set_heading = [](Heading& heading, const DoubleDouble& x, const DoubleDouble& y) {
