@@ -122,7 +122,8 @@ void TipMoves::take(const Move& move) {
   std::shared_ptr<const TipInside> inside;
   if (own) {
     if (own->pre_turn) turn(*last_, *own->pre_turn, spec::Cause::pre_turn, move);
-    inside = std::make_shared<const TipInside>(*last_, move, axes_);
+    // Two copies of a move are dear: they are made only where somebody looks inside.
+    if (samples_ > 1 || with_inside_) inside = std::make_shared<const TipInside>(*last_, move, axes_);
     for (std::uint32_t k = 1; k < samples_; ++k) {
       const Rational t(k, samples_);
       Event event = inside->position(t);
@@ -143,11 +144,14 @@ void TipMoves::take(const Move& move) {
 // The work-side axis alone turns, at a standing tip.
 void TipMoves::turn(const Move& at, const Pose& to, spec::Cause cause, const Move& of) const {
   Move result = at;
-  // The tip stands on the table, and the tool.
-  OwnMotion turning;
-  turning.motion = even_motion(at.tip->frame, at.tip->pose, to);
-  turning.length_before = at.tip->length;
-  result.inside = std::make_shared<const OwnMotion>(std::move(turning));
+  result.inside.reset();
+  if (with_inside_) {
+    // The tip stands on the table, and the tool.
+    OwnMotion turning;
+    turning.motion = even_motion(at.tip->frame, at.tip->pose, to);
+    turning.length_before = at.tip->length;
+    result.inside = std::make_shared<const OwnMotion>(std::move(turning));
+  }
   result.tip->named_at = at.tip->named_at.value_or(at.tip->pose);
   result.tip->pose = to;
   result.tip->frame->place(to, result.leg.end);
