@@ -12,7 +12,7 @@
 
 struct toolcomp_engine {
   toolcomp_engine(const toolcomp::spec::Setup& setup, std::uint32_t samples, toolcomp_on_event on_event, void* user)
-      : sink(on_event, user), engine(toolcomp::fast::make_batch_engine(setup, sink, samples)) {}
+      : sink(on_event, user), engine(toolcomp::fast::make_batch_engine(setup, sink, nullptr, samples)) {}
 
   toolcomp::c::CallbackSink sink;
   std::unique_ptr<toolcomp::fast::BatchEngine> engine;

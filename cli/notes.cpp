@@ -3,7 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
+#include <tuple>
 #include <utility>
+
+#include "fast/arithmetic/count.h"
 
 namespace toolcomp::cli {
 namespace {
@@ -114,6 +119,40 @@ void Notes::moved(std::uint64_t line, spec::Cause cause, spec::MoveType type, co
   if (along < -kNothing * way)
     add(kBackwards, line,
         fmt::format("the tool runs {:.6g} against the programmed direction in this block", -along / way));
+}
+
+bool Notes::passes(fast::LineMoves& moves) {
+  if (!watches_) return true;
+  if (moves.event.cause != spec::Cause::programmed) return false;
+  const auto [programmed, point] = places(moves.at(0), std::identity());
+  double first = 0;
+  for (std::size_t i = 0; i < 3; ++i) first += (programmed.at(i) - programmed_.at(i)) * (point.at(i) - point_.at(i));
+  if (first < 0) return false;
+  if (moves.by_vector && run_back(moves, programmed, point)) return false;
+  const spec::Event<double>& last = moves.at(moves.size - 1);
+  radii_.on(last, std::identity());
+  std::tie(programmed_, point_) = places(last, std::identity());
+  return true;
+}
+
+// Whether a move but the first runs against its programmed direction: as in moved(), all of them side by side.
+bool Notes::run_back(const fast::LineMoves& moves, const Place& programmed, const Place& point) const {
+  constexpr auto kPerOne = static_cast<double>(fast::Count::kSmallPerOne);
+  std::array<double, fast::LineChunk::kMost + 1> along{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t axis = axes_.index("XYZ"[i]);
+    if (axis == spec::Axes::kNone || (moves.moving >> axis & 1U) == 0 || moves.word.at(axis) == nullptr) continue;
+    double from = programmed.at(i) * kPerOne;
+    double tool = point.at(i);
+    for (std::size_t k = 1; k < moves.size; ++k) {
+      const double to = moves.word.at(axis)[moves.line_of(k)];
+      const double tool_to = moves.sent.at(axis)[k];
+      along.at(k) += (to - from) * (tool_to - tool);
+      from = to;
+      tool = tool_to;
+    }
+  }
+  return std::ranges::any_of(along, [](double product) { return product < 0; });
 }
 
 std::vector<Note> Notes::take() { return std::exchange(waiting_, {}); }

@@ -7,9 +7,11 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/radii_note.h"
+#include "fast/arrays/line_moves.h"
 #include "spec/language/event.h"
 #include "spec/language/fanuc/block.h"
 #include "spec/language/heidenhain/klartext_block.h"
@@ -45,16 +47,11 @@ class Notes {
       point_ = programmed_;
     }
     if (event.kind != spec::EventKind::move) return;
-    Place programmed{};
-    Place point{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t axis = axes_.index("XYZ"[i]);
-      if (axis == spec::Axes::kNone || !event.point.has(axis) || !event.programmed.has(axis)) continue;
-      programmed.at(i) = nearest(event.programmed[axis]);
-      point.at(i) = nearest(event.point[axis]);
-    }
+    const auto [programmed, point] = places(event, nearest);
     moved(event.line, event.cause, event.type, programmed, point);
   }
+  // Whether there is nothing to say of moves of lines; then they have been seen. Otherwise each goes to on().
+  [[nodiscard]] bool passes(fast::LineMoves& moves);
   // Those since the last call, where there are any.
   [[nodiscard]] bool wait() const { return !waiting_.empty(); }
   std::vector<Note> take();
@@ -65,6 +62,19 @@ class Notes {
   using Place = std::array<double, 3>;
   enum Kind : std::uint8_t { kNoRadius, kRadiusByH, kG10, kMachine, kShort, kFeed, kBackwards, kKinds };
 
+  // X, Y, Z of a move: programmed, and of the tool.
+  template <class Number, class Nearest>
+  [[nodiscard]] std::pair<Place, Place> places(const spec::Event<Number>& move, Nearest nearest) const {
+    std::pair<Place, Place> result;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t axis = axes_.index("XYZ"[i]);
+      if (axis == spec::Axes::kNone || !move.point.has(axis) || !move.programmed.has(axis)) continue;
+      result.first.at(i) = nearest(move.programmed[axis]);
+      result.second.at(i) = nearest(move.point[axis]);
+    }
+    return result;
+  }
+  [[nodiscard]] bool run_back(const fast::LineMoves& moves, const Place& programmed, const Place& point) const;
   void moved(std::uint64_t line, spec::Cause cause, spec::MoveType type, const Place& programmed, const Place& point);
   void add(Kind kind, std::uint64_t line, std::string text);
 

@@ -19,7 +19,9 @@
 #include "cli/unjudged.h"
 #include "cli/verbs.h"
 #include "cli/word_at_fault.h"
+#include "fast/arrays/line_moves.h"
 #include "fast/arrays/line_road.h"
+#include "fast/arrays/line_text.h"
 #include "fast/basis/event.h"
 #include "fast/basis/print.h"
 #include "judge/oracle/control.h"
@@ -109,6 +111,20 @@ class Printer final : public spec::EventSink<Number> {
     flush();
     std::cout.flush();
     tell(program_, recent_, event, unjudged_);
+  }
+
+  // As on(), of all of them. There is no sample among them.
+  void on_lines(fast::LineMoves& moves, fast::LineText& text) {
+    if (with_notes_ && !notes_.passes(moves)) {
+      for (std::size_t i = 0; i < moves.size; ++i) on(moves.at(i));
+      return;
+    }
+    begin();
+    text.append(buffer_, moves);
+    const spec::Event<double>& last = moves.at(moves.size - 1);
+    for (std::size_t axis = 0; axis < program_.setup().axes.size(); ++axis)
+      if (last.point.has(axis)) gcode_.point.set(axis, last.point[axis]);
+    if (buffer_.view().size() > kFlushAt) flush();
   }
 
   void reading(const spec::Block& block) {
@@ -227,14 +243,26 @@ class Printer final : public spec::EventSink<Number> {
   bool begun_ = false;
 };
 
+// The printer of plain programs also takes moves of lines together.
+class LinePrinter final : public fast::LineSink {
+ public:
+  LinePrinter(Printer<double, FastNumber>& printer, const spec::Axes& axes) : printer_(printer), text_(axes) {}
+  void lines(fast::LineMoves& moves) override { printer_.on_lines(moves, text_); }
+
+ private:
+  Printer<double, FastNumber>& printer_;
+  fast::LineText text_;
+};
+
+// `lines`: as LineRoad.
 template <class Control, class Engine, class Sink>
-void feed(const Program& program, Engine& engine, Sink& sink) {
+void feed(const Program& program, Engine& engine, Sink& sink, fast::LineSink* lines = nullptr) {
   const judge::StreamedProgram text = program.text();
   auto reader = Control::reader(text.open(), program.setup(), text.name, text.called_program);
   typename Control::Block block;
   const auto reading = [&sink](const auto&... read) { sink.reading(read...); };
   try {
-    fast::LineRoad().run(reader, engine, block, reading, reading);
+    fast::LineRoad(lines).run(reader, engine, block, reading, reading);
   } catch (const spec::InputError& error) {
     // The events before the bytes that could not be read stand.
     sink.flush();
@@ -256,10 +284,10 @@ void feed_model(const Program& program, model::Recorder& recorder, Sink& sink) {
 }
 
 template <class Sink>
-void feed_fast(const Program& program, Sink& sink) {
+void feed_fast(const Program& program, Sink& sink, fast::LineSink* lines = nullptr) {
   judge::with_control(program.setup(), [&]<class Control>(Control) {
     auto engine = Control::fast(program.setup(), sink, program.samples());
-    feed<Control>(program, engine, sink);
+    feed<Control>(program, engine, sink, lines);
   });
 }
 
@@ -367,7 +395,8 @@ int run(const RunOptions& options) {
     const auto start =
         start_of<double>(program.setup(), [](const spec::Decimal& d) { return std::stod(spec::to_string(d)); });
     Printer<double, FastNumber> sink(program, options, append, start);
-    feed_fast(program, sink);
+    LinePrinter lines(sink, program.setup().axes);
+    feed_fast(program, sink, options.format == Format::gcode ? &lines : nullptr);
     return sink.status();
   }
   model::Recorder recorder;

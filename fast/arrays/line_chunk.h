@@ -10,8 +10,6 @@
 
 #include "fast/arrays/instructions.h"
 #include "fast/arrays/moves.h"
-#include "fast/basis/axis_mask.h"
-#include "fast/basis/event.h"
 #include "spec/language/line_columns.h"
 
 namespace toolcomp::fast {
@@ -22,13 +20,7 @@ using spec::kWordPlaces;
 using spec::place_bit;
 using spec::word_place;
 
-// What the events of lines have beside their columns.
-struct LineEvents {
-  Event event;             // of the first move
-  bool of_held = false;    // that is the move of the block held before the lines
-  bool by_vector = false;  // point is where the axes are sent; otherwise it is the programmed position
-  Mask moving = 0;         // axes that are sent somewhere else by each move
-};
+struct LineMoves;
 
 // Every block has the same words. Lengths and angles are whole numbers of 10^-6, below 2^50; of vectors in Klartext
 // programs, of 10^-8, below 10^9.
@@ -46,7 +38,7 @@ struct LineChunk {
   Instructions instructions = Instructions::baseline;
   Moves* moves = nullptr;            // with room for as many as there are blocks
   const std::uint64_t* n = nullptr;  // their sequence numbers, or nothing
-  LineEvents* events = nullptr;      // where whole events are wanted
+  LineMoves* made = nullptr;         // where more than their axes is wanted
 
   // The words of the blocks; nullptr: they have none of these.
   [[nodiscard]] const double* word(std::size_t place) const {

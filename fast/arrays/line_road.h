@@ -7,6 +7,9 @@
 #include <memory>
 #include <string_view>
 
+#include "fast/arrays/line_moves.h"
+#include "spec/language/fanuc/block.h"
+#include "spec/language/heidenhain/klartext_block.h"
 #include "spec/language/line_columns.h"
 
 namespace toolcomp::fast {
@@ -18,6 +21,9 @@ struct Nobody {
 
 class LineRoad {
  public:
+  // `to`: takes the moves of lines that go together; otherwise they are events of the engine's sink.
+  explicit LineRoad(LineSink* to = nullptr) : to_(to) {}
+
   // Runs the rest of the program. `on_block` sees every block that goes alone before the engine takes it; `on_lines`
   // sees the lines that have gone together: columns, and how many of them.
   template <class Reader, class Engine, class Block, class OnBlock = Nobody, class OnLines = Nobody>
@@ -26,8 +32,9 @@ class LineRoad {
     while (!engine.stopped() && reader.next(block)) {
       on_block(block);
       engine.block(block);
-      if constexpr (requires { engine.lines(*lines_); })
-        if (is_time() && moves(block)) take_lines(reader, engine, on_lines);
+      if constexpr (requires { Engine::kEventsOfLines; })
+        if ((Engine::kEventsOfLines || to_ != nullptr) && is_time() && moves(block))
+          take_lines(reader, engine, on_lines);
     }
   }
 
@@ -45,7 +52,7 @@ class LineRoad {
     for (std::size_t most = kFewest;; most = std::min(2 * most, spec::LineColumns::kMost)) {
       reader.lines(*lines_, most);
       const bool pays = lines_->size >= (all == 0 ? kFewest : kFewest / 2);
-      const std::size_t taken = pays ? engine.lines(*lines_) : 0;
+      const std::size_t taken = pays ? engine.lines(*lines_, to_) : 0;
       if (taken > 0) {
         on_lines(*lines_, taken);
         reader.pass_lines(taken);
@@ -56,17 +63,20 @@ class LineRoad {
     longer_pause_ = all >= kFewest ? 0 : std::min(2 * longer_pause_ + 1, kLongestPause);
     pause_ = longer_pause_;
   }
-  // Lines follow a block with the word of an axis.
-  template <class Block>
-  [[nodiscard]] static bool moves(const Block& block) {
+  // Lines follow a block with the word of an axis, or another one of their kind.
+  [[nodiscard]] static bool moves(const spec::Block& block) {
     constexpr std::string_view kOthers = "DFGHLMNOPQRST";
-    return std::ranges::any_of(block.words(),
-                               [&](const auto& word) { return kOthers.find(word.address) == std::string_view::npos; });
+    return std::ranges::any_of(
+        block.words(), [&](const spec::Word& word) { return kOthers.find(word.address) == std::string_view::npos; });
+  }
+  [[nodiscard]] static bool moves(const spec::klartext::Block& block) {
+    return block.statement == spec::klartext::Statement::line_with_vectors;
   }
 
   static constexpr std::size_t kFewest =
       8;  // from here on arrays pay; of lines that are read already, from half of it on
   static constexpr std::size_t kLongestPause = 64;
+  LineSink* to_;
   std::unique_ptr<spec::LineColumns> lines_ = std::make_unique<spec::LineColumns>();
   std::size_t pause_ = 0, longer_pause_ = 0;  // blocks until lines are tried again
 };

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "fast/arrays/line_chunk.h"
+#include "fast/arrays/line_moves.h"
 #include "fast/arrays/words.h"
 #include "fast/batch/dialect.h"
 
@@ -19,7 +20,7 @@ namespace toolcomp::fast {
 namespace {
 
 // The moves of blocks that go one by one, into the arrays.
-class Collector final : public EventSink {
+class Collector final : public EventSink, public LineSink {
  public:
   Collector(std::size_t axes, EventSink* others) : moves(axes), others_(others) {}
 
@@ -33,6 +34,18 @@ class Collector final : public EventSink {
       *moves.next_of(i) = event.axes.has(i) ? event.axes.value[i] : std::numeric_limits<double>::quiet_NaN();
     *moves.next_block() = event.line;
     moves.append(1);
+  }
+  void lines(LineMoves& made) override {
+    moves.reserve(made.size);
+    for (std::size_t i = 0; i < moves.axes(); ++i) {
+      if ((made.moving >> i & 1U) != 0)
+        std::copy_n(made.sent[i], made.size, moves.next_of(i));
+      else
+        moves.set_axis(i, made.size,
+                       made.event.axes.has(i) ? made.event.axes.value[i] : std::numeric_limits<double>::quiet_NaN());
+    }
+    for (std::size_t i = 0; i < made.size; ++i) moves.next_block()[i] = made.line(i);
+    moves.append(made.size);
   }
   Moves moves;
 
@@ -110,7 +123,7 @@ class Batch::Run {
   Run(const spec::Setup& setup, EventSink* others, Instructions instructions)
       : instructions_(instructions),
         collector_(setup.axes.size(), others),
-        engine_(make_batch_engine(setup, collector_)) {}
+        engine_(make_batch_engine(setup, collector_, &collector_)) {}
 
   void run(std::string_view text) { blocks_ += engine_->run(text, blocks_); }
   void lines(std::span<const WordColumn> given);

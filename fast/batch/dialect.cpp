@@ -100,8 +100,8 @@ template <class Engine, class Reader, class Block, class Maker, class Source>
 class EngineOf final : public BatchEngine {
  public:
   template <class... Samples>
-  EngineOf(const spec::Setup& setup, EventSink& sink, Source source, Samples... samples)
-      : maker_(setup.axes), engine_(setup, sink, samples...), source_(std::move(source)) {}
+  EngineOf(const spec::Setup& setup, EventSink& sink, LineSink* lines, Source source, Samples... samples)
+      : maker_(setup.axes), engine_(setup, sink, samples...), source_(std::move(source)), road_(lines) {}
 
   std::uint64_t run(std::string_view text, std::uint64_t before) override {
     LaterReader<Reader> reader{Reader(spec::text_source(text), source_), before};
@@ -128,9 +128,10 @@ using KlartextEngine =
 
 }  // namespace
 
-std::unique_ptr<BatchEngine> make_batch_engine(const spec::Setup& setup, EventSink& sink, std::uint32_t samples) {
-  if (setup.control == spec::Control::heidenhain) return std::make_unique<KlartextEngine>(setup, sink, setup);
-  return std::make_unique<FanucEngine>(setup, sink, setup.axes, samples);
+std::unique_ptr<BatchEngine> make_batch_engine(const spec::Setup& setup, EventSink& sink, LineSink* lines,
+                                               std::uint32_t samples) {
+  if (setup.control == spec::Control::heidenhain) return std::make_unique<KlartextEngine>(setup, sink, lines, setup);
+  return std::make_unique<FanucEngine>(setup, sink, lines, setup.axes, samples);
 }
 
 }  // namespace toolcomp::fast

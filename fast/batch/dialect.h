@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "fast/arrays/line_chunk.h"
+#include "fast/arrays/line_moves.h"
 #include "fast/basis/event.h"
 #include "spec/language/decimal.h"
 #include "spec/language/setup.h"
@@ -44,8 +45,9 @@ class BatchEngine {
   [[nodiscard]] virtual bool stopped() const = 0;
 };
 
-// Makes the engine for the control of the setup. `samples`: the number of parts into which a block under tool center
-// point control is divided; 0: no samples.
-std::unique_ptr<BatchEngine> make_batch_engine(const spec::Setup& setup, EventSink& sink, std::uint32_t samples = 0);
+// Makes the engine for the control of the setup. `lines`: as LineRoad. `samples`: the number of parts into which a
+// block under tool center point control is divided; 0: no samples.
+std::unique_ptr<BatchEngine> make_batch_engine(const spec::Setup& setup, EventSink& sink, LineSink* lines = nullptr,
+                                               std::uint32_t samples = 0);
 
 }  // namespace toolcomp::fast

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "fast/arrays/line_chunk.h"
+#include "fast/arrays/line_moves.h"
 #include "fast/basis/event.h"
 #include "spec/language/fanuc/block.h"
 #include "spec/language/setup.h"
@@ -28,8 +29,10 @@ class Engine {
   // Blocks of lines as arrays (fast/batch): how many of them have been taken, their moves and that of a block held
   // before them written to the chunk's. 0: the first one is for block().
   [[nodiscard]] std::size_t lines(const LineChunk& chunk);
-  // The same of lines as they are read: their events go to the sink.
-  [[nodiscard]] std::size_t lines(const spec::LineColumns& lines);
+  // lines() makes whole events of them.
+  static constexpr bool kEventsOfLines = true;
+  // The same of lines as they are read. Their moves go to `to`; where it is nullptr, as events to the sink.
+  [[nodiscard]] std::size_t lines(const spec::LineColumns& lines, LineSink* to = nullptr);
   // The end of the text: flushes the look-ahead.
   void end();
   [[nodiscard]] bool stopped() const;

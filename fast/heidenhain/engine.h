@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "fast/arrays/line_chunk.h"
+#include "fast/arrays/line_moves.h"
 #include "fast/basis/event.h"
 #include "spec/language/heidenhain/klartext_block.h"
 #include "spec/language/setup.h"
@@ -26,6 +27,9 @@ class Engine {
   // Blocks of lines as arrays (fast/batch): how many of them have been taken, their moves written to the chunk's. 0:
   // the first one is for block().
   [[nodiscard]] std::size_t lines(const LineChunk& chunk);
+  // The same of blocks as they are read: only their axes and feed are known (LineMoves), no events.
+  static constexpr bool kEventsOfLines = false;
+  [[nodiscard]] std::size_t lines(const spec::LineColumns& lines, LineSink* to);
   // The end of the text: flushes the look-ahead.
   void end();
   [[nodiscard]] bool stopped() const;

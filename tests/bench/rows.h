@@ -11,7 +11,9 @@
 #include <type_traits>
 #include <vector>
 
+#include "fast/arrays/line_moves.h"
 #include "fast/arrays/line_road.h"
+#include "fast/arrays/line_text.h"
 #include "fast/basis/print.h"
 #include "fast/fanuc/engine.h"
 #include "model/fanuc/engine.h"
@@ -115,9 +117,9 @@ inline void exact_model(benchmark::State& state, const Program& program) {
 }
 
 // Prints a path as `run --format gcode` does.
-class PathPrinter final : public fast::EventSink {
+class PathPrinter final : public fast::EventSink, public fast::LineSink {
  public:
-  explicit PathPrinter(const spec::Axes& axes) : axes_(axes) {}
+  explicit PathPrinter(const spec::Axes& axes) : axes_(axes), lines_(axes) {}
   [[gnu::flatten]] void on(const fast::Event& event) override {
     if (text_.view().size() > kFlushAt) text_.clear();
     spec::TextCursor out(text_);
@@ -127,6 +129,11 @@ class PathPrinter final : public fast::EventSink {
     spec::append_event_gcode(out, event, axes_, append, state_);
     if (event.kind == spec::EventKind::alarm) alarm_ = event.number.view();
   }
+  void lines(fast::LineMoves& moves) override {
+    if (text_.view().size() > kFlushAt) text_.clear();
+    lines_.append(text_, moves);
+    state_.point = moves.at(moves.size - 1).point;
+  }
   [[nodiscard]] std::string_view text() const { return text_.view(); }
   [[nodiscard]] const std::string& alarm() const { return alarm_; }
 
@@ -134,6 +141,7 @@ class PathPrinter final : public fast::EventSink {
   static constexpr std::size_t kFlushAt = std::size_t{1} << 16U;
   const spec::Axes& axes_;
   fast::NumberWriter numbers_;
+  fast::LineText lines_;
   spec::TextBuffer text_;
   spec::GcodeState<double> state_;
   std::string alarm_;
@@ -160,7 +168,7 @@ inline void text_to_path(benchmark::State& state, const Program& program) {
     fast::Engine engine(setup, printer, program.samples);
     spec::ProgramReader reader(spec::text_source(long_text.text), setup.axes);
     spec::Block block;
-    fast::LineRoad().run(reader, engine, block);
+    fast::LineRoad(&printer).run(reader, engine, block);
     if (engine.stopped()) state.SkipWithError(("stopped: " + printer.alarm()).c_str());
     engine.end();
     benchmark::DoNotOptimize(printer.text());

@@ -106,6 +106,23 @@ TEST_P(Run, LeadingEdgeFromRotaryAxes) {
   }
 }
 
+// The same groove without the interference check, among lines that the fast engine takes together: 4 - 10 along its
+// bottom, whatever the form of the output.
+TEST_P(Run, NotesTellOfLinesAmongManyThatRunBack) {
+  const Folder folder;
+  const std::string setup = folder.write("setup.toml",
+                                         "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\"]\n[offsets.D]\n1 = 5\n"
+                                         "[parameters]\n\"5008#0\" = 1\n");
+  std::string text = "G90 G00 X-20.\nG01 G41 D1 X0. F100\n";
+  for (int x = 1; x <= 12; ++x) text += "X" + std::to_string(x) + ". Y0.\n";
+  text += "X12. Y-20.\nX16. Y-20.\nX16. Y0.\n";
+  for (int x = 17; x <= 40; ++x) text += "X" + std::to_string(x) + ". Y0.\n";
+  const std::string program = folder.write("p.nc", text);
+  for (const char* const format : {"gcode", "csv"})
+    EXPECT_EQ(toolcomp("run " + program + " --setup " + setup + " --engine " + GetParam() + " --format " + format).err,
+              program + ":16: note: the tool runs 6 against the programmed direction in this block\n");
+}
+
 // By hand, D1 = 5: each note once, at its line, as an event and on standard error; none with --notes off.
 TEST_P(Run, NotesTellWhatAReaderShouldKnow) {
   const Folder folder;

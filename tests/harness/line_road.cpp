@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // program: faults
 // link: toolcomp_fast_faulty
-// The law of the road (fast/arrays/line_road.h): a program from its text gives the same events as block by block, bit
-// for bit. Random programs of every section, and contours of lines with all that may stand among them. Every mistake
-// seeded into the road breaks the law.
+// The laws of the road (fast/arrays/line_road.h): a program from its text gives the same events as block by block, bit
+// for bit, and the same text of its path. Random programs of every section, and contours of lines with all that may
+// stand among them. Every mistake seeded into the road breaks the law of events.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -17,14 +17,20 @@
 #include <string_view>
 #include <vector>
 
+#include "fast/arrays/line_moves.h"
+#include "fast/arrays/line_road.h"
+#include "fast/arrays/line_text.h"
+#include "fast/basis/print.h"
 #include "fuzz/faults/fault.h"
 #include "fuzz/gen/encode.h"
 #include "fuzz/gen/generator.h"
 #include "judge/oracle/control.h"
 #include "judge/oracle/verdict.h"
+#include "spec/language/event_gcode.h"
 #include "spec/language/event_json.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
+#include "spec/language/text_buffer.h"
 #include "tests/effort.h"
 
 namespace toolcomp::fuzz {
@@ -176,6 +182,169 @@ TEST(LineRoad, GivesWhatBlocksGiveAlongWalks) {
       const spec::Case c = walk(under, seed);
       ASSERT_EQ(broken(c), "") << under.section << " seed " << seed << '\n' << c.program;
     }
+}
+
+// The path as text: moves of lines together where they come so.
+class PathText final : public fast::EventSink, public fast::LineSink {
+ public:
+  explicit PathText(const spec::Axes& axes) : axes_(axes), lines_(axes) {}
+
+  void on(const fast::Event& event) override {
+    spec::TextCursor out(text_);
+    const auto append = [](spec::TextCursor& to, double value) {
+      to.write([&](char* at) { return fast::write_number(at, value); });
+    };
+    spec::append_event_gcode(out, event, axes_, append, state_);
+  }
+  void lines(fast::LineMoves& moves) override {
+    together += moves.size;
+    lines_.append(text_, moves);
+    const fast::Event& last = moves.at(moves.size - 1);
+    for (std::size_t axis = 0; axis < axes_.size(); ++axis)
+      if (last.point.has(axis)) state_.point.set(axis, last.point[axis]);
+  }
+  [[nodiscard]] std::string text() const { return std::string(text_.view()); }
+
+  std::uint64_t together = 0;
+
+ private:
+  const spec::Axes& axes_;
+  spec::TextBuffer text_;
+  spec::GcodeState<double> state_;
+  fast::LineText lines_;
+};
+
+// How many moves went together; texts that differ are a failure.
+std::uint64_t moves_together(const spec::Case& c) {
+  PathText road(c.setup.axes);
+  std::string fault;
+  judge::with_control(c.setup, [&]<class Control>(Control) {
+    auto engine = Control::fast(c.setup, road, c.samples);
+    auto reader = Control::reader(spec::text_source(c.program), c.setup, "program");
+    typename Control::Block block;
+    try {
+      fast::LineRoad(&road).run(reader, engine, block);
+      engine.end();
+    } catch (const spec::InputError& error) {
+      fault = error.what();
+    }
+  });
+  PathText blocks(c.setup.axes);
+  try {
+    for (const fast::Event& event : by_blocks(c)) blocks.on(event);
+    EXPECT_EQ(fault, "") << c.program;
+  } catch (const spec::InputError& error) {
+    EXPECT_EQ(fault, error.what()) << c.program;
+    return road.together;
+  }
+  EXPECT_EQ(road.text(), blocks.text()) << c.program;
+  return road.together;
+}
+
+TEST(LineRoad, GivesTheTextOfThePathOfBlocks) {
+  const std::uint64_t walks = test::effort(60U, 3000U);
+  std::uint64_t together = 0;
+  for (const Under& under : kUnder)
+    for (std::uint64_t seed = 1; seed <= walks; ++seed) {
+      together += moves_together(walk(under, seed));
+      ASSERT_FALSE(HasFailure()) << under.section << " seed " << seed;
+    }
+  EXPECT_GT(together, 20 * walks);
+}
+
+// LN blocks over a surface, with and without tool vectors, and what may stand among them.
+constexpr std::string_view kMilling = R"(control = "heidenhain"
+axes = ["X", "Y", "Z", "A", "C"]
+[[tool]]
+number = 1
+L = 80
+R = 6
+R2 = 2
+DR = "-0.05"
+DR2 = "-0.03")";
+constexpr std::string_view kMillingBegins[] = {
+    "TOOL CALL 1 Z S1000 DR-0.02\nL X0 Y0 Z0 R0 F1000 M128\n", "TOOL CALL 1 Z S1000\nL X0 Y0 Z0 R0 F1000\n",
+    "TOOL CALL 1 Z S1000\nFUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS REFPNT CNT-CNT\nFUNCTION PROG PATH IS CONTOUR\n"
+    "L X0 Y0 Z0 R0 F1000\n"};
+constexpr std::string_view kMillingBetween[] = {"L X1 Y1 Z1",
+                                                "L X1 Y1 F MAX",
+                                                "; text",
+                                                "* - text",
+                                                "L M8",
+                                                "LN X1 Y1 Z1 NX0 NY0 NZ1 F500",
+                                                "Q1 = 5",
+                                                "",
+                                                "LN X1 Y1 Z1 NX0.1 NY0 NZ1",
+                                                "ln x1 y1 z1 nx0 ny0 nz1",
+                                                "LN X1.000001 Y1 Z1 NX0 NY0 NZ1",
+                                                "LN X1,5 Y1 Z1 NX0 NY0 NZ1",
+                                                "LN X100000 Y1 Z1 NX0 NY0 NZ1",
+                                                "LN X1 Y1 Z1 NX0 NY0 NZ-1",
+                                                "LN X1 Y1 Z1 NX0 NY0 NZ0",
+                                                "LN Y1 X1 Z1 NX0 NY0 NZ1",
+                                                "LN X1 Y1 Z1 NX0 NY0",
+                                                "LN X1 Y1 Z1  NX0 NY0 NZ1",
+                                                "LN X1 Y1 Z1 NX0 NY0 NZ1 ; text",
+                                                "L A5",
+                                                "L C10 F MAX",
+                                                "LN X1 Y1 Z1 TX0 TY0 TZ1",
+                                                "TOOL CALL 1 Z DR+0.1",
+                                                "LN X1 Y1 Z1 NX10 NY0 NZ1",
+                                                "/LN X1 Y1 Z1 NX0 NY0 NZ1",
+                                                "LN X1 Y1 Z1 NX0 NY0 NZ1.",
+                                                "LN X1 Y1 Z1 NX.6 NY0 NZ.8",
+                                                "LN X+1 Y-1 Z+.5 NX+0 NY-0 NZ+1",
+                                                "L X1 RL",
+                                                "L IX1",
+                                                "LN X1 ~\n Y1 Z1 NX0 NY0 NZ1",
+                                                "FUNCTION RESET TCPM",
+                                                "L Z5 M128",
+                                                "LN X1 Y1 Z1 NX0 NY0 NZ1 TX0 TY0 TZ1",
+                                                "STOP"};
+spec::Case milling_walk(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+  const auto about = [&](double width) { return (static_cast<double>(random() >> 11U) * 0x1p-53 - 0.5) * width; };
+  spec::Case c;
+  c.section = "heidenhain/face-milling";
+  c.setup = spec::read_setup_toml(std::string(kMilling), "setup");
+  c.program = below(2) == 0 ? "BEGIN PGM T MM\n" : "BEGIN PGM T INCH\n";
+  c.program += kMillingBegins[seed % std::size(kMillingBegins)];
+  const bool numbered = below(2) == 0;
+  const bool turned = below(2) == 0;
+  const int places = 6 + below(3);
+  double lean = 0.2;
+  double turn = 0;
+  for (int i = 0, blocks = 60 + below(400); i < blocks; ++i) {
+    lean += about(0.05);
+    turn += about(0.1);
+    if (numbered) c.program += fmt::format("{} ", i + 10);
+    c.program += fmt::format("LN X{:+.{}f} Y{:+.4f} Z{:.3f}", 0.5 * i, 1 + below(5), about(3), about(1));
+    const auto vector = [&](char letter, double from_z, double about_z) {
+      c.program +=
+          fmt::format(" {}X{:.{}f} {}Y{:+.{}f} {}Z{:.{}f}", letter, std::sin(from_z) * std::cos(about_z), places,
+                      letter, std::sin(from_z) * std::sin(about_z), places, letter, std::cos(from_z), places);
+    };
+    vector('N', lean, turn);
+    if (turned) vector('T', lean / 2, turn + 0.1);
+    c.program += below(40) == 0 ? "\r\n" : "\n";
+    if (below(60) == 0) {
+      c.program += kMillingBetween[static_cast<std::size_t>(below(std::size(kMillingBetween)))];
+      c.program += '\n';
+    }
+  }
+  c.program += "END PGM T MM\n";
+  return c;
+}
+
+TEST(LineRoad, GivesTheTextOfThePathOfKlartextBlocks) {
+  const std::uint64_t walks = test::effort(200U, 10000U);
+  std::uint64_t together = 0;
+  for (std::uint64_t seed = 1; seed <= walks; ++seed) {
+    together += moves_together(milling_walk(seed));
+    ASSERT_FALSE(HasFailure()) << "seed " << seed;
+  }
+  EXPECT_GT(together, 20 * walks);
 }
 
 TEST(LineRoad, AMistakeOnTheRoadBreaksTheLaw) {

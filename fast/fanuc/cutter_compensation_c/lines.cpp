@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Usual lines of cutter compensation C as arrays.
 #include "fast/arithmetic/count.h"
+#include "fast/arrays/line_moves.h"
 #include "fast/fanuc/cutter_compensation_c/cutter_compensation_c.h"
 #include "fast/geometry/heading.h"
 
@@ -34,7 +35,7 @@ std::size_t CutterCompensationC::lines(const LineChunk& chunk, CutterLines& line
   const CutterLineEnd end = take_cutter_lines(chunk, start);
   if (end.taken == 0) return 0;
   Event& event = held(0).event;
-  if (chunk.events != nullptr) *chunk.events = {event, true, true, static_cast<Mask>(1U << axis_[0] | 1U << axis_[1])};
+  if (chunk.made != nullptr) chunk.made->set_held(event, static_cast<Mask>(1U << axis_[0] | 1U << axis_[1]));
   Moves& moves = *chunk.moves;
   for (std::size_t axis = 0; axis < moves.axes(); ++axis)
     if (axis != axis_[0] && axis != axis_[1]) moves.set_axis(axis, end.taken, event.axes.value[axis]);

@@ -2,6 +2,7 @@
 // Lines as arrays. Where no stage is on, the axes go to their words, with their offsets.
 #include <cstdlib>
 
+#include "fast/arrays/line_moves.h"
 #include "fast/arrays/position_arrays.h"
 #include "fast/fanuc/control/read_words.h"
 #include "fast/fanuc/interpreter/interpreter.h"
@@ -34,12 +35,12 @@ std::size_t Interpreter::uncompensated_lines(const LineChunk& chunk) {
   const bool through_tip = positions.along_tool() || control_.attitude.completes_moves();
   const Mask axes = through_tip ? Mask{0} : axes_of(chunk);
   if (axes == 0) return 0;
-  if (chunk.events != nullptr) {
+  if (chunk.made != nullptr) {
     // Rotary words turn the tool that events show.
     if ((axes & control_.axes.turning) != 0 && control_.kinematics.defined()) return 0;
-    control_.fill(chunk.events->event, control_.modal.straight(), spec::Cause::programmed);
-    chunk.events->of_held = chunk.events->by_vector = false;
-    chunk.events->moving = axes;
+    control_.fill(chunk.made->event, control_.modal.straight(), spec::Cause::programmed);
+    chunk.made->of_held = chunk.made->by_vector = false;
+    chunk.made->moving = axes;
   }
   Moves& moves = *chunk.moves;
   for (std::size_t axis = 0; axis < control_.axes.count; ++axis) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fast/arrays/line_moves.h"
 #include "fast/fanuc/control/read_words.h"
 #include "fast/fanuc/program/words.h"
 #include "fast/fanuc/tool_side_compensation/side_line_arrays.h"
@@ -63,7 +64,7 @@ std::size_t ToolSideStage::lines(const LineChunk& chunk) {
   if (end.taken == 0) return 0;
   // The event that is held has what is the same for all of them.
   const Event& held = compensation_.held_event();
-  if (chunk.events != nullptr) *chunk.events = {held, true, true, kXyzAxes};
+  if (chunk.made != nullptr) chunk.made->set_held(held, kXyzAxes);
   Moves& moves = *chunk.moves;
   for (std::size_t axis = 3; axis < moves.axes(); ++axis) moves.set_axis(axis, end.taken, held.axes.value[axis]);
   *moves.next_block() = held.line;

@@ -116,6 +116,7 @@ class Interpreter {
 
   // lines.cpp
   [[nodiscard]] bool may_be_face_lines(const LineChunk& chunk) const;
+  void fill(LineMoves& made) const;
 
   const spec::Setup setup_;
   EventWriter writer_;

@@ -2,6 +2,7 @@
 // LN blocks as arrays: usual ones of face milling.
 #include <limits>
 
+#include "fast/arrays/line_moves.h"
 #include "fast/heidenhain/interpreter/interpreter.h"
 
 namespace toolcomp::fast::klartext {
@@ -25,6 +26,18 @@ bool Interpreter::may_be_face_lines(const LineChunk& chunk) const {
          !tool_.check(true, oversize_) && face_.sees_contact() && unknown_ == 0;
 }
 
+// X, Y, Z move; a rotary axis has no word in these blocks.
+void Interpreter::fill(LineMoves& made) const {
+  Event& event = made.event;
+  event.type = spec::MoveType::linear;
+  event.feed = feed_;
+  made.of_held = false;
+  made.by_vector = true;
+  made.moving = static_cast<Mask>(1U << axis_[0] | 1U << axis_[1] | 1U << axis_[2]);
+  event.axes.present = static_cast<std::uint16_t>(made.moving | parallel_axes_);
+  for (std::size_t axis = 0; axis < setup_.axes.size(); ++axis) event.axes.value[axis] = head_.position[axis];
+}
+
 std::size_t Interpreter::lines(const LineChunk& chunk) {
   if (!may_be_face_lines(chunk)) return 0;
   FaceLineStart start;
@@ -38,6 +51,7 @@ std::size_t Interpreter::lines(const LineChunk& chunk) {
   start.values = &tool_.values();
   const FaceLineEnd end = take_face_lines(chunk, start, {axis_[0], axis_[1], axis_[2]});
   if (end.taken == 0) return 0;
+  if (chunk.made != nullptr) fill(*chunk.made);
   Moves& moves = *chunk.moves;
   for (std::size_t axis = 0; axis < moves.axes(); ++axis) {
     if (axis == axis_[0] || axis == axis_[1] || axis == axis_[2]) continue;

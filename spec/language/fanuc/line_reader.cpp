@@ -2,47 +2,18 @@
 // Usual lines as columns. What is not usual stays for read_block().
 #include <algorithm>
 
+#include "spec/language/column_number.h"
 #include "spec/language/digits.h"
 #include "spec/language/fanuc/block_reader.h"
 
 namespace toolcomp::spec {
 namespace {
 
-constexpr unsigned kColumnDecimals = 6;
+constexpr ColumnForm kNumber{7, 6, 6};
 constexpr unsigned kMostCode = 1;  // G00 and G01
 
 // Of a block that lacks them, axis words keep their position; other words do not.
 bool may_lack(char letter) { return letter != 'I' && letter != 'J' && letter != 'K'; }
-
-// [+-]digits[.digits] as a whole number of 10^-6, and its end; nullptr: any other number.
-[[gnu::always_inline]] inline const char* read_column_number(const char* at, double& to) {
-  const bool negative = *at == '-';
-  at += negative || *at == '+' ? 1 : 0;  // without a branch: signs follow no pattern
-  std::int64_t value = 0;
-  if (const ShortDecimal number = short_decimal_at(at); number.size != 0) [[likely]] {
-    value = static_cast<std::int64_t>(number.digits * kPowersOfTen[kColumnDecimals - number.decimals]);
-    at += number.size;
-  } else {
-    const Digits before = digits_at(at);
-    at += before.count;
-    value = static_cast<std::int64_t>(before.number * kPowersOfTen[kColumnDecimals]);
-    unsigned count = before.count;
-    if (*at == '.') {
-      const Digits behind = digits_at(++at);
-      if (behind.count > kColumnDecimals) [[unlikely]]
-        return nullptr;
-      at += behind.count;
-      value += static_cast<std::int64_t>(behind.number * kPowersOfTen[kColumnDecimals - behind.count]);
-      count += behind.count;
-    }
-    if (count == 0 || before.count > 7) [[unlikely]]
-      return nullptr;
-  }
-  if (*at == '.' || *at == '-') [[unlikely]]
-    return nullptr;
-  to = static_cast<double>(negative ? -value : value);
-  return at;
-}
 
 }  // namespace
 
@@ -116,8 +87,8 @@ const char* BlockReader::read_line_words(const char* at, LineColumns& to, LineSh
       if (to.code != LineColumns::kNoCode && to.code != static_cast<int>(code.number)) return nullptr;
       to.code = static_cast<int>(code.number);
     } else {
-      at = read_column_number(at, to.columns[word_place(letter)][row]);
-      if (at == nullptr) return nullptr;
+      at = read_column_number<kNumber>(at, to.columns[word_place(letter)][row]);
+      if (at == nullptr || *at == '.' || *at == '-') return nullptr;
       moves = true;
     }
     if (*at == ' ') ++at;

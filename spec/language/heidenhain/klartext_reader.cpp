@@ -7,6 +7,7 @@
 
 #include "spec/language/heidenhain/klartext_bytes.h"
 #include "spec/language/heidenhain/klartext_calls.h"
+#include "spec/language/heidenhain/klartext_lines.h"
 #include "spec/language/heidenhain/klartext_parser.h"
 
 namespace toolcomp::spec::klartext {
@@ -31,6 +32,7 @@ struct Reader::State {
   enum class Fetched : std::uint8_t { nothing, block, too_long };
 
   bool next(Block& block);
+  void usual_lines(LineColumns& to, std::size_t most);
   // The next block from `position` on, and how many lines it has.
   Fetched fetch(BlockText& text);
   // More bytes behind those from `position` on; false where there are none, or no room.
@@ -56,8 +58,9 @@ struct Reader::State {
   std::size_t mark = 0;          // bytes of a byte order mark right before `position`
   std::unique_ptr<Calls> calls;  // with them: `position` and `end` stand in their text
   bool begun = false;
-  bool exhausted = false;  // the source has no more bytes
-  bool done = false;       // no more blocks
+  bool exhausted = false;                            // the source has no more bytes
+  bool done = false;                                 // no more blocks
+  std::array<char*, LineColumns::kMost> line_end{};  // of the blocks given last
 };
 
 bool Reader::State::refill() {
@@ -196,6 +199,22 @@ bool Reader::State::next(Block& block) {
   return false;
 }
 
+// Blocks of a program that calls something are put in their order one by one.
+void Reader::State::usual_lines(LineColumns& to, std::size_t most) {
+  to.size = 0;
+  to.words = 0;
+  to.code = LineColumns::kNoCode;
+  to.line = line;
+  if (done || !begun || calls) return;
+  if (static_cast<std::size_t>(end - position) < kBufferSize / 2) refill();
+  *end = 0;  // no line goes on there
+  for (const char* at = position; to.size < most; ++to.size) {
+    at = read_usual_line(at, to);
+    if (at == nullptr) return;
+    line_end[to.size] = position + (at - position);
+  }
+}
+
 Reader::Reader(std::unique_ptr<ByteSource> source, const Setup& setup, ReaderOptions options)
     : state_(std::make_unique<State>(std::move(source), setup, std::move(options))) {}
 Reader::~Reader() = default;
@@ -209,6 +228,13 @@ bool Reader::next(Block& block) {
     state_->done = true;
     throw;
   }
+}
+
+void Reader::lines(LineColumns& to, std::size_t most) { state_->usual_lines(to, most); }
+
+void Reader::pass_lines(std::size_t count) {
+  state_->position = state_->line_end[count - 1];
+  state_->line += count;
 }
 
 }  // namespace toolcomp::spec::klartext

@@ -67,7 +67,8 @@ inline void text_to_path(benchmark::State& state, const Program& program) {
     PathPrinter printer(setup.axes);
     fast::klartext::Engine engine(setup, printer);
     spec::klartext::Reader reader(spec::text_source(long_text.text), setup);
-    for (spec::klartext::Block block; reader.next(block);) engine.block(block);
+    spec::klartext::Block block;
+    fast::LineRoad(&printer).run(reader, engine, block);
     if (engine.stopped()) state.SkipWithError(("stopped: " + printer.alarm()).c_str());
     engine.end();
     benchmark::DoNotOptimize(printer.text());
