@@ -5,11 +5,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
-#include <string_view>
 
 #include "fast/arrays/line_moves.h"
-#include "spec/language/fanuc/block.h"
-#include "spec/language/heidenhain/klartext_block.h"
 #include "spec/language/line_columns.h"
 
 namespace toolcomp::fast {
@@ -33,7 +30,7 @@ class LineRoad {
       on_block(block);
       engine.block(block);
       if constexpr (requires { Engine::kEventsOfLines; })
-        if ((Engine::kEventsOfLines || to_ != nullptr) && is_time() && moves(block))
+        if ((Engine::kEventsOfLines || to_ != nullptr) && is_time() && lines_may_follow(block))
           take_lines(reader, engine, on_lines);
     }
   }
@@ -62,15 +59,6 @@ class LineRoad {
     }
     longer_pause_ = all >= kFewest ? 0 : std::min(2 * longer_pause_ + 1, kLongestPause);
     pause_ = longer_pause_;
-  }
-  // Lines follow a block with the word of an axis, or another one of their kind.
-  [[nodiscard]] static bool moves(const spec::Block& block) {
-    constexpr std::string_view kOthers = "DFGHLMNOPQRST";
-    return std::ranges::any_of(
-        block.words(), [&](const spec::Word& word) { return kOthers.find(word.address) == std::string_view::npos; });
-  }
-  [[nodiscard]] static bool moves(const spec::klartext::Block& block) {
-    return block.statement == spec::klartext::Statement::line_with_vectors;
   }
 
   static constexpr std::size_t kFewest =

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any bytes as a Klartext program: the reader ends, positions lie in the text, neither the size of the pieces it gets
-// nor carriage returns matter, and a block without alarm is read back from its own text: the blocks of calls apart, the
-// order of which is then that of the text.
+// nor carriage returns matter, LN blocks read many at a time are the same blocks, and a block without alarm is read
+// back from its own text: the blocks of calls apart, the order of which is then that of the text.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +16,7 @@
 #include "fuzz/targets/worker.h"
 #include "spec/language/heidenhain/klartext_reader.h"
 #include "spec/language/input_error.h"
+#include "spec/language/line_columns.h"
 
 namespace {
 
@@ -139,6 +140,48 @@ void read_back(const std::vector<Read>& blocks) {
           }));
 }
 
+// A block again, of a line among columns.
+bool is_line(const Block& block, const LineColumns& columns, std::size_t line) {
+  const auto is = [&](const Decimal& value, std::size_t place, std::size_t places) {
+    double whole = static_cast<double>(value.digits) * (value.negative ? -1 : 1);
+    for (std::size_t i = value.decimals; i < places; ++i) whole *= 10;
+    return (columns.words & place_bit(place)) != 0 && whole == columns.columns[place][line];
+  };
+  bool same = block.statement == klartext::Statement::line_with_vectors && !block.alarm && !block.many_digits &&
+              block.line == columns.line + line && block.column == columns.column[line] &&
+              block.n == (columns.numbered ? std::optional(columns.n[line]) : std::nullopt) && block.has_normal &&
+              block.has_tool_vector == ((columns.words & place_bit(kToolVectorPlace)) != 0) &&
+              block.radius == klartext::RadiusWord::none && block.feed == klartext::FeedWord::none &&
+              block.functions == 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    same = same && is(block.axis[i].number, word_place('X') + i, 6) && is(block.normal[i], kNormalPlace + i, 8) &&
+           (!block.has_tool_vector || is(block.tool_vector[i], kToolVectorPlace + i, 8));
+  return same;
+}
+
+// The same text with some of its blocks read as columns.
+void read_by_columns(std::string_view text, bool block_skip, std::size_t pieces) {
+  const auto columns = std::make_unique<LineColumns>();
+  const Setup setup = setup_of(block_skip);
+  const ReaderOptions options{.file = "p", .most_repeated = 500};
+  klartext::Reader reader(std::make_unique<toolcomp::fuzz::Pieces>(text, pieces), setup, options);
+  klartext::Reader blocks(text_source(text), setup, options);
+  Block block;
+  Block other;
+  try {
+    while (reader.next(block)) {
+      require(blocks.next(other) && same(kept(block), kept(other)));
+      reader.lines(*columns, 1 + pieces);
+      const std::size_t passed = columns->size / 2;
+      for (std::size_t i = 0; i < passed; ++i) require(blocks.next(other) && is_line(other, *columns, i));
+      if (passed > 0) reader.pass_lines(passed);
+    }
+  } catch (const InputError&) {
+    return;
+  }
+  require(!blocks.next(other));
+}
+
 std::string with_carriage_returns(std::string_view text) {
   std::string result;
   for (const char c : text) {
@@ -157,6 +200,7 @@ void hold(std::string_view bytes) {
   const Outcome whole = read(text_source(text), block_skip);
   require(same(whole, read(std::make_unique<toolcomp::fuzz::Pieces>(text, 1 + first / 2U), block_skip)));
   require(same(whole, read(text_source(with_carriage_returns(text)), block_skip)));
+  read_by_columns(text, block_skip, 1 + first / 2U);
   check_positions(whole, text);
   read_back(whole.blocks);
 }

@@ -2,12 +2,14 @@
 // One block of a FANUC program: its words, with exact decimals, without their meaning.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "spec/language/decimal.h"
 #include "spec/parameters/alarm_causes.h"
@@ -41,6 +43,13 @@ struct Block {
 
   [[nodiscard]] std::span<const Word> words() const { return {word.data(), size}; }
 };
+
+// Whether usual lines (line_columns.h) are worth a look after this block: it has the word of an axis, or I, J, K.
+inline bool lines_may_follow(const Block& block) {
+  constexpr std::string_view kOthers = "DFGHLMNOPQRST";
+  return std::ranges::any_of(block.words(),
+                             [&](const Word& word) { return kOthers.find(word.address) == std::string_view::npos; });
+}
 
 // The block as text that the reader reads back: "N30 G01 X10. Y-0". Without the words after a read alarm.
 std::string to_string(const Block& block);

@@ -165,6 +165,9 @@ struct Block {
   [[nodiscard]] bool is_incremental(std::size_t slot) const { return (incremental >> slot & 1U) != 0; }
 };
 
+// Whether usual LN blocks (klartext_lines.h) are worth a look after this block.
+inline bool lines_may_follow(const Block& block) { return block.statement == Statement::line_with_vectors; }
+
 // A text that the reader reads back to the same block, including the block number. Parts that a block does not keep
 // (the corners of BLK FORM, the text of cycles, …) are as short as the grammar permits.
 std::string to_string(const Block& block);

@@ -310,7 +310,8 @@ const char* BlockParser::radius(Block& block, const char* at) {
 
 const char* BlockParser::feed(Block& block, const char* at) {
   const char* const word = at++;
-  if (at_word_end(at)) at = gap(at);  // F MAX, F AUTO
+  const bool stands_alone = at_word_end(at);
+  if (stands_alone) at = gap(at);  // F MAX, F AUTO
   const auto is = [&](std::string_view key, FeedWord kind) {
     const char* const end = read_word(at, key);
     if (end == nullptr) return false;
@@ -319,7 +320,7 @@ const char* BlockParser::feed(Block& block, const char* at) {
     return true;
   };
   if (is("MAX", FeedWord::f_max) || is("AUTO", FeedWord::f_auto)) return at;
-  if (at != word + 1 && !is_digit(*at) && upper(*at) != 'Q') return at;
+  if (stands_alone && !is_digit(*at) && upper(*at) != 'Q') return at;
   const char key = upper(*at);
   block.feed = key == 'Z' ? FeedWord::f_z : key == 'U' ? FeedWord::f_u : FeedWord::f;
   return keyed_value(block, word, block.feed == FeedWord::f ? 1 : 2, block.feed_value);

@@ -307,7 +307,7 @@ TEST(Klartext, WordsBehindTheAxes) {
   EXPECT_EQ(one("L X1 FU-QR2"), "L X1 FU-QR2");
   EXPECT_EQ(one("L X1 F Q1"), "L X1 FQ1");
   EXPECT_EQ(one("L X1 F 100"), "L X1 F100");
-  EXPECT_EQ(one("L X1 F"), "!E_SYNTAX@1:6");
+  EXPECT_EQ(one("L X1 F"), "L X1");
   EXPECT_EQ(one("L X1 FMIN"), "!E_SYNTAX@1:6");
   EXPECT_EQ(one("L X1 FZ"), "!E_SYNTAX@1:6");
   EXPECT_EQ(one("L X1 F100 R0"), "!E_SYNTAX@1:11");
@@ -531,6 +531,8 @@ TEST(Klartext, LooseSpelling) {
   EXPECT_EQ(one("L X-450. Y+5,"), "L X-450 Y5");
   EXPECT_EQ(one("L Z 25.0 X - 200"), "L X-200 Z25.0");
   EXPECT_EQ(one("L X+5 R F M"), "L X5");
+  EXPECT_EQ(one("L X+5 R F"), "L X5");
+  EXPECT_EQ(one("L X+5 F\r"), "L X5");
   EXPECT_EQ(one("L X+5 R0 F M3"), "L X5 R0 M3");
   EXPECT_EQ(one("L X+5 F 500"), "L X5 F500");
   EXPECT_EQ(one("L X+5 ; right ~\n Y+6"), "L X5 Y6");
