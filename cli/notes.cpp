@@ -85,11 +85,12 @@ void Notes::read(const spec::Block& block) {
     }
   }
   if (d != nullptr) d_given_ = !d->value.is_zero();
-  const bool by_h = setup_.bit(5001, 2);
-  if (side != 0 && !by_h && d == nullptr && h != nullptr && !is_zero(h))
-    add(kRadiusByH, block.line, fmt::format("G{} with H: the radius is that of D, unless 5001#2 (OFH) is 1", side));
-  else if (side != 0 && !by_h && !d_given_)
-    add(kNoRadius, block.line, fmt::format("G{} without a D other than 0: the radius is 0", side));
+  if (side != 0 && !setup_.bit(5001, 2)) {
+    if (d == nullptr && h != nullptr && !is_zero(h))
+      add(kRadiusByH, block.line, fmt::format("G{} with H: the radius is that of D, unless 5001#2 (OFH) is 1", side));
+    else if (!d_given_)
+      add(kNoRadius, block.line, fmt::format("G{} without a D other than 0: the radius is 0", side));
+  }
   const bool origin = l != nullptr && l->value.decimals == 0 && (l->value.digits == 2 || l->value.digits == 20);
   if (data && !origin && r == nullptr) add(kG10, block.line, "G10 without R");
   if (machine && incremental_) add(kMachine, block.line, "G53 under G91 is ignored, together with its axis words");
