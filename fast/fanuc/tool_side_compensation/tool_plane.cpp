@@ -183,15 +183,10 @@ SpaceTurn ToolPlane::straight(const Travel& travel) const {
   return result;
 }
 
-int ToolPlane::facing(std::size_t axis) const {
-  if ((tool_.zero >> axis & 1U) != 0) return 0;
-  const double component = tool_.unit[static_cast<Eigen::Index>(axis)];
-  if (std::abs(component) > tool_.error) return sign_of(component);
+int ToolPlane::facing_by_little(std::size_t axis) const {
   if (tool_.is_whole) return sign_of(tool_.unit[static_cast<Eigen::Index>(axis)]);
   const double refined = fine_unit()[axis].hi;
   return std::abs(refined) <= fine_error() ? 0 : sign_of(refined);
 }
-
-bool ToolPlane::along(std::size_t axis) const { return facing((axis + 1) % 3) == 0 && facing((axis + 2) % 3) == 0; }
 
 }  // namespace toolcomp::fast

@@ -82,9 +82,15 @@ class ToolPlane {
   [[nodiscard]] SpaceTurn straight(const Travel& travel) const;
 
   // The sign of V . (axis i): the side from which the tool looks on the plane of the other two axes.
-  [[nodiscard]] int facing(std::size_t axis) const;
+  [[nodiscard]] int facing(std::size_t axis) const {
+    if ((tool_.zero >> axis & 1U) != 0) return 0;
+    const double component = tool_.unit[static_cast<Eigen::Index>(axis)];
+    return std::abs(component) > tool_.error ? sign_of(component) : facing_by_little(axis);
+  }
   // The tool stands exactly along axis i.
-  [[nodiscard]] bool along(std::size_t axis) const;
+  [[nodiscard]] bool along(std::size_t axis) const {
+    return facing((axis + 1) % 3) == 0 && facing((axis + 2) % 3) == 0;
+  }
 
   // Over |U1||U2| (level 1).
   [[nodiscard]] double square_bound() const { return 5 * (tool_.error + 4 * u) + 8 * u; }
@@ -101,6 +107,8 @@ class ToolPlane {
   static constexpr double u = 0x1p-53;
   // moves() where doubles cannot tell.
   [[nodiscard]] bool moves_by_little(const Travel& travel, const Amount& limit) const;
+  // facing() where doubles cannot tell.
+  [[nodiscard]] int facing_by_little(std::size_t axis) const;
   // The turn by doubles alone, for the usual corner. False where doubles cannot tell, or are not good enough.
   [[nodiscard]] bool set_quick_turn(const SeenLine& first, const SeenLine& second, SpaceTurn& turn) const;
   // The turn by levels 2 and 3.
