@@ -26,7 +26,6 @@ Vector simplified(const Vector& v) { return {simplified(v.x), simplified(v.y), s
 
 Machine::Machine(const spec::Setup& setup)
     : mechanism_(read_mechanism(setup)),
-      holder_offset_(parameter(setup, 19666)),
       arms_{vector_parameter(setup, 19700), vector_parameter(setup, 19703), vector_parameter(setup, 19709),
             vector_parameter(setup, 19712)},
       programs_workpiece_(setup.bit(19696, 5)) {

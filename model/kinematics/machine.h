@@ -42,8 +42,6 @@ class Machine {
   [[nodiscard]] const Turn& tool_side() const { return mechanism_.turns.front(); }
   [[nodiscard]] const Turn& work_side() const { return mechanism_.turns.back(); }
 
-  // Parameter 19666, added to the tool length offset.
-  [[nodiscard]] const Rational& holder_offset() const { return holder_offset_; }
   // Setup units, parallel to the machine axes with both rotary axes at 0.
   struct Arms {
     Vector table;       // 19700-19702: machine origin to the first table axis
@@ -105,7 +103,6 @@ class Machine {
   [[nodiscard]] Vector tool_vector(const Pose& pose, const Real& length) const;
 
   Mechanism mechanism_;
-  Rational holder_offset_;
   Arms arms_;
   bool programs_workpiece_ = false;
   Heights heights_;
