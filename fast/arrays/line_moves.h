@@ -21,9 +21,10 @@ struct LineMoves {
   bool by_vector = false;  // point is where the axes are sent; otherwise it is the programmed position
   Mask moving = 0;         // axes that are sent somewhere else by each move
   std::size_t size = 0;
-  std::array<const double*, spec::kMaxAxes> sent{};  // of axes that move
-  std::array<const double*, spec::kMaxAxes>
-      word{};                           // of lines, in 10^-6; nullptr: the axis stays where it is programmed
+  // Of axes that move: where each move sends them.
+  std::array<const double*, spec::kMaxAxes> sent{};
+  // Of lines, in 10^-6; nullptr: the axis stays where it is programmed.
+  std::array<const double*, spec::kMaxAxes> word{};
   std::array<const double*, 3> tool{};  // I J K of lines
   LineChunk chunk;
 
