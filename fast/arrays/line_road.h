@@ -18,8 +18,12 @@ struct Nobody {
 
 class LineRoad {
  public:
-  // `to`: takes the moves of lines that go together; otherwise they are events of the engine's sink.
-  explicit LineRoad(LineSink* to = nullptr) : to_(to) {}
+  // From so many on arrays pay.
+  static constexpr std::size_t kFewest = 8;
+
+  // `to`: takes the moves of lines that go together; otherwise they are events of the engine's sink. `fewest`: fewer
+  // lines than these go alone.
+  explicit LineRoad(LineSink* to = nullptr, std::size_t fewest = kFewest) : to_(to), fewest_(fewest) {}
 
   // Runs the rest of the program. `on_block` sees every block that goes alone before the engine takes it; `on_lines`
   // sees the lines that have gone together: columns, and how many of them.
@@ -46,9 +50,10 @@ class LineRoad {
   template <class Reader, class Engine, class OnLines>
   void take_lines(Reader& reader, Engine& engine, const OnLines& on_lines) {
     std::size_t all = 0;
-    for (std::size_t most = kFewest;; most = std::min(2 * most, spec::LineColumns::kMost)) {
+    for (std::size_t most = fewest_;; most = std::min(2 * most, spec::LineColumns::kMost)) {
       reader.lines(*lines_, most);
-      const bool pays = lines_->size >= (all == 0 ? kFewest : kFewest / 2);
+      // Those that are read already pay from half of it on.
+      const bool pays = lines_->size >= (all == 0 ? fewest_ : (fewest_ + 1) / 2);
       const std::size_t taken = pays ? engine.lines(*lines_, to_) : 0;
       if (taken > 0) {
         on_lines(*lines_, taken);
@@ -57,14 +62,13 @@ class LineRoad {
       }
       if (taken < most) break;
     }
-    longer_pause_ = all >= kFewest ? 0 : std::min(2 * longer_pause_ + 1, kLongestPause);
+    longer_pause_ = all >= fewest_ ? 0 : std::min(2 * longer_pause_ + 1, kLongestPause);
     pause_ = longer_pause_;
   }
 
-  static constexpr std::size_t kFewest =
-      8;  // from here on arrays pay; of lines that are read already, from half of it on
   static constexpr std::size_t kLongestPause = 64;
   LineSink* to_;
+  std::size_t fewest_;
   std::unique_ptr<spec::LineColumns> lines_ = std::make_unique<spec::LineColumns>();
   std::size_t pause_ = 0, longer_pause_ = 0;  // blocks until lines are tried again
 };
