@@ -86,7 +86,7 @@ bool PoseFit<Number>::has_positions(const model::Event& expected, const spec::Ev
 }
 
 template <class Number>
-PoseFit<Number>::Positions PoseFit<Number>::of(const model::Event& expected) const {
+typename PoseFit<Number>::Positions PoseFit<Number>::of(const model::Event& expected) const {
   const auto position = [&](const model::Turn& turn) {
     return turn.axis ? Rational(middle(expected.axes[*turn.axis]) + angle_zero(*turn.axis)) : Rational(0);
   };
@@ -94,7 +94,7 @@ PoseFit<Number>::Positions PoseFit<Number>::of(const model::Event& expected) con
 }
 
 template <class Number>
-PoseFit<Number>::Positions PoseFit<Number>::of(const spec::Event<Number>& actual) const {
+typename PoseFit<Number>::Positions PoseFit<Number>::of(const spec::Event<Number>& actual) const {
   const auto position = [&](const model::Turn& turn) {
     return turn.axis ? Rational(rational(actual.axes[*turn.axis]) + angle_zero(*turn.axis)) : Rational(0);
   };
@@ -102,7 +102,8 @@ PoseFit<Number>::Positions PoseFit<Number>::of(const spec::Event<Number>& actual
 }
 
 template <class Number>
-PoseFit<Number>::Off PoseFit<Number>::off(const model::Event& expected, const spec::Event<Number>& actual) const {
+typename PoseFit<Number>::Off PoseFit<Number>::off(const model::Event& expected,
+                                                   const spec::Event<Number>& actual) const {
   const auto of_axis = [&](const model::Turn& turn) {
     return turn.axis ? signed_distance(expected.axes[*turn.axis], actual.axes[*turn.axis]) : 0;
   };
@@ -138,7 +139,8 @@ void PoseFit<Number>::set_linear(spec::AxisValues<Real>& values, const Vector& t
 }
 
 template <class Number>
-PoseFit<Number>::View PoseFit<Number>::view(const model::Event& event, const spec::Event<Number>& actual) const {
+typename PoseFit<Number>::View PoseFit<Number>::view(const model::Event& event,
+                                                     const spec::Event<Number>& actual) const {
   const bool sample = event.kind == EventKind::sample;
   const bool controlled = sample || (!event.machine.empty() && event.cause != spec::Cause::reference);
   const Positions expected = of(event);
