@@ -198,7 +198,7 @@ void read_reference(const Node& node, const Reader& read, Setup& setup) {
     const AxisTable table = axis_table(member.value, "reference." + member.name, setup, read);
     if (member.name == "floating")
       setup.floating_reference = table;
-    else
+    else if (!table.empty())
       setup.reference[member.name[0] - '0'] = table;
   }
 }

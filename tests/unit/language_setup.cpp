@@ -249,6 +249,7 @@ TEST(Setup, TypeOfCutterCompensation) {
 
 TEST(Setup, MeasurementNamesAxesOfTheSetup) {
   EXPECT_TRUE(toml("").measurement.empty());
+  EXPECT_EQ(toml("[reference.1]"), toml("")) << "a table without axes says nothing";
   EXPECT_EQ(toml("[measurement]\nX = -0.5\nZ = 198").measurement.at('X'), (Decimal{5, 1, true, true}));
   EXPECT_EQ(toml_error("[measurement]\nW = 1"),
             "f.toml:2:1: measurement: \"W\" is not an axis of this setup; its axes are XYZ");
