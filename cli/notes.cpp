@@ -28,6 +28,14 @@ double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) 
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
+// Of the ways from one place to another and from a third to a fourth; below 0: they run against each other.
+double product(const std::array<double, 3>& from, const std::array<double, 3>& to, const std::array<double, 3>& from2,
+               const std::array<double, 3>& to2) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) sum += (to.at(i) - from.at(i)) * (to2.at(i) - from2.at(i));
+  return sum;
+}
+
 bool is_zero(const spec::Word* word) { return word != nullptr && word->value.is_zero(); }
 
 }  // namespace
@@ -107,8 +115,7 @@ void Notes::moved(std::uint64_t line, spec::Cause cause, spec::MoveType type, co
   const Place from = std::exchange(programmed_, programmed);
   const Place tool = std::exchange(point_, point);
   if (!watches_ || type == spec::MoveType::arc) return;
-  double along = 0;
-  for (std::size_t i = 0; i < 3; ++i) along += (programmed.at(i) - from.at(i)) * (point.at(i) - tool.at(i));
+  const double along = product(from, programmed, tool, point);
   // Most moves run forward, and their lengths are asked of none.
   if (cause != spec::Cause::start_up && along >= 0) return;
   const double way = distance(from, programmed);
@@ -126,9 +133,7 @@ bool Notes::passes(fast::LineMoves& moves) {
   if (!watches_) return true;
   if (moves.event.cause != spec::Cause::programmed) return false;
   const auto [programmed, point] = places(moves.at(0), std::identity());
-  double first = 0;
-  for (std::size_t i = 0; i < 3; ++i) first += (programmed.at(i) - programmed_.at(i)) * (point.at(i) - point_.at(i));
-  if (first < 0) return false;
+  if (product(programmed_, programmed, point_, point) < 0) return false;
   if (moves.by_vector && run_back(moves, programmed, point)) return false;
   const spec::Event<double>& last = moves.at(moves.size - 1);
   radii_.on(last, std::identity());
@@ -153,7 +158,7 @@ bool Notes::run_back(const fast::LineMoves& moves, const Place& programmed, cons
       tool = tool_to;
     }
   }
-  return std::ranges::any_of(along, [](double product) { return product < 0; });
+  return std::ranges::any_of(along, [](double each) { return each < 0; });
 }
 
 std::vector<Note> Notes::take() { return std::exchange(waiting_, {}); }

@@ -120,10 +120,7 @@ class Printer final : public spec::EventSink<Number> {
       return;
     }
     begin();
-    text.append(buffer_, moves);
-    const spec::Event<double>& last = moves.at(moves.size - 1);
-    for (std::size_t axis = 0; axis < program_.setup().axes.size(); ++axis)
-      if (last.point.has(axis)) gcode_.point.set(axis, last.point[axis]);
+    text.append(buffer_, moves, gcode_);
     if (buffer_.view().size() > kFlushAt) flush();
   }
 

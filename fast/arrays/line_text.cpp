@@ -91,9 +91,12 @@ char* LineText::write(char* to, const LineMoves& moves) const {
   return to;
 }
 
-void LineText::append(spec::TextBuffer& out, const LineMoves& moves) {
+void LineText::append(spec::TextBuffer& out, LineMoves& moves, spec::GcodeState<double>& state) {
   set_texts(moves);
   spec::TextCursor(out, moves.size * longest_line() + kNumberText).write([&](char* to) { return write(to, moves); });
+  const Event& last = moves.at(moves.size - 1);
+  for (std::size_t axis = 0; axis < axes_.size(); ++axis)
+    if (last.point.has(axis)) state.point.set(axis, last.point[axis]);
 }
 
 }  // namespace toolcomp::fast

@@ -8,6 +8,7 @@
 #include "fast/arrays/line_moves.h"
 #include "fast/basis/print.h"
 #include "spec/language/axes.h"
+#include "spec/language/event_gcode.h"
 #include "spec/language/text_buffer.h"
 
 namespace toolcomp::fast {
@@ -18,8 +19,8 @@ class LineText {
   explicit LineText(const spec::Axes& axes) : axes_(axes) {}
 
   // Appends what spec::append_event_gcode() writes of the events of these moves, with numbers as write_number() writes
-  // them.
-  void append(spec::TextBuffer& out, const LineMoves& moves);
+  // them, and leaves the state that it leaves.
+  void append(spec::TextBuffer& out, LineMoves& moves, spec::GcodeState<double>& state);
 
  private:
   // Long enough for the numbers of all axes and the feed.

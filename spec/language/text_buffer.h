@@ -31,9 +31,9 @@ class TextCursor {
   // 900 other characters.
   static constexpr std::size_t kRoom = 6144;
 
-  explicit TextCursor(TextBuffer& buffer) : buffer_(buffer), at_(room_behind(buffer.size_)) {}
-  // With more room, for many events.
-  TextCursor(TextBuffer& buffer, std::size_t more) : buffer_(buffer), at_(room_behind(buffer.size_ + more) - more) {}
+  // `more`: room besides, for many events.
+  explicit TextCursor(TextBuffer& buffer, std::size_t more = 0)
+      : buffer_(buffer), at_(room_behind(buffer.size_ + more) - more) {}
   TextCursor(const TextCursor&) = delete;
   TextCursor& operator=(const TextCursor&) = delete;
   ~TextCursor() { buffer_.size_ = size(); }

@@ -131,8 +131,7 @@ class PathPrinter final : public fast::EventSink, public fast::LineSink {
   }
   void lines(fast::LineMoves& moves) override {
     if (text_.view().size() > kFlushAt) text_.clear();
-    lines_.append(text_, moves);
-    state_.point = moves.at(moves.size - 1).point;
+    lines_.append(text_, moves, state_);
   }
   [[nodiscard]] std::string_view text() const { return text_.view(); }
   [[nodiscard]] const std::string& alarm() const { return alarm_; }

@@ -43,14 +43,22 @@ struct Kept final : fast::EventSink {
   std::vector<fast::Event> events;
 };
 
-std::vector<fast::Event> by_blocks(const spec::Case& c) {
-  Kept kept;
+// The fast engine runs the case, `way`(reader, engine, block) leads it.
+template <class Way>
+void lead(const spec::Case& c, fast::EventSink& sink, const Way& way) {
   judge::with_control(c.setup, [&]<class Control>(Control) {
-    auto engine = Control::fast(c.setup, kept, c.samples);
+    auto engine = Control::fast(c.setup, sink, c.samples);
     auto reader = Control::reader(spec::text_source(c.program), c.setup, "program");
     typename Control::Block block;
-    while (!engine.stopped() && reader.next(block)) engine.block(block);
+    way(reader, engine, block);
     engine.end();
+  });
+}
+
+std::vector<fast::Event> by_blocks(const spec::Case& c) {
+  Kept kept;
+  lead(c, kept, [](auto& reader, auto& engine, auto& block) {
+    while (!engine.stopped() && reader.next(block)) engine.block(block);
   });
   return kept.events;
 }
@@ -58,13 +66,7 @@ std::vector<fast::Event> by_blocks(const spec::Case& c) {
 // As commands run it; the judge's own run gives the road every line.
 std::vector<fast::Event> by_road(const spec::Case& c) {
   Kept kept;
-  judge::with_control(c.setup, [&]<class Control>(Control) {
-    auto engine = Control::fast(c.setup, kept, c.samples);
-    auto reader = Control::reader(spec::text_source(c.program), c.setup, "program");
-    typename Control::Block block;
-    fast::LineRoad().run(reader, engine, block);
-    engine.end();
-  });
+  lead(c, kept, [](auto& reader, auto& engine, auto& block) { fast::LineRoad().run(reader, engine, block); });
   return kept.events;
 }
 
@@ -213,10 +215,7 @@ class PathText final : public fast::EventSink, public fast::LineSink {
   }
   void lines(fast::LineMoves& moves) override {
     together += moves.size;
-    lines_.append(text_, moves);
-    const fast::Event& last = moves.at(moves.size - 1);
-    for (std::size_t axis = 0; axis < axes_.size(); ++axis)
-      if (last.point.has(axis)) state_.point.set(axis, last.point[axis]);
+    lines_.append(text_, moves, state_);
   }
   [[nodiscard]] std::string text() const { return std::string(text_.view()); }
 
@@ -233,17 +232,11 @@ class PathText final : public fast::EventSink, public fast::LineSink {
 std::uint64_t moves_together(const spec::Case& c) {
   PathText road(c.setup.axes);
   std::string fault;
-  judge::with_control(c.setup, [&]<class Control>(Control) {
-    auto engine = Control::fast(c.setup, road, c.samples);
-    auto reader = Control::reader(spec::text_source(c.program), c.setup, "program");
-    typename Control::Block block;
-    try {
-      fast::LineRoad(&road).run(reader, engine, block);
-      engine.end();
-    } catch (const spec::InputError& error) {
-      fault = error.what();
-    }
-  });
+  try {
+    lead(c, road, [&](auto& reader, auto& engine, auto& block) { fast::LineRoad(&road).run(reader, engine, block); });
+  } catch (const spec::InputError& error) {
+    fault = error.what();
+  }
   PathText blocks(c.setup.axes);
   try {
     for (const fast::Event& event : by_blocks(c)) blocks.on(event);

@@ -30,10 +30,7 @@ Alarm Interpreter::send_holes(const Words& words, const CycleCommand& command) {
   const bool rounded = (positions.rounded() & bit(drilling)) != 0;
   if (const Alarm a = cycle_.find_levels(positions.programmed()[drilling], rounded, levels)) return a;
   Positions travel;
-  (void)for_each_axis(axes, [&](std::size_t axis) {
-    travel[axis] = control_.travel(words, axis);
-    return AlarmCause::none;
-  });
+  visit_axes(axes, [&](std::size_t axis) { travel[axis] = control_.travel(words, axis); });
   const bool goes_on = control_.modal.incremental();
   if (const Alarm a = check_holes(axes, travel, goes_on ? command.repeats : 1)) return a;
   Event event;
