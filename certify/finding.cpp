@@ -53,6 +53,7 @@ double number_of(const Node& root, const char* key, const Reader& read) {
 spec::KnownSet known_of(const Node& judged, const Reader& read) {
   read.expect(judged, Kind::array, "judged");
   std::vector<std::string> names;
+  names.reserve(judged.items.size());
   for (const Node& item : judged.items) names.push_back(read.string(item, "judged"));
   try {
     return spec::KnownSet::of(names);

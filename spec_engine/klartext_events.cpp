@@ -55,7 +55,7 @@ void read_move(Event& event, const List& data, const spec::Axes& axes) {
 }
 
 // A hole has the number that it has in FanucCase.v.
-enum EventOf : std::int64_t { kMoved, kWarning, kAlarm, kOpen, kOutOfScope, kHole = 6 };
+enum EventOf : std::int64_t { kMoved = 0, kWarning = 1, kAlarm = 2, kOpen = 3, kOutOfScope = 4, kHole = 6 };
 
 }  // namespace
 

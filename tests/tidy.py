@@ -61,7 +61,9 @@ def looked_at(folder, target, places):
     def placed(found):
         return "{}:{}:".format(*places[int(found[1]) - 1])
 
-    return done.returncode, re.sub(re.escape(str(target)) + r":(\d+):", placed, done.stdout) if places else done.stdout
+    # One that crashes or is killed says so on the other stream, or not at all.
+    words = done.stdout or (f"{target}: clang-tidy ended with {done.returncode}\n{done.stderr}" if done.returncode else "")
+    return done.returncode, re.sub(re.escape(str(target)) + r":(\d+):", placed, words) if places else words
 
 
 def main():

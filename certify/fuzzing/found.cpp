@@ -53,6 +53,7 @@ fs::path copied(const Shown& shown, const fs::path& to) {
 Found found_in(const Folder& folder) {
   Found found{shown_in(folder.findings()), {}, shown_in(folder.open())};
   std::vector<Way> ways;
+  ways.reserve(found.ways.size());
   for (const Shown& shown : found.ways) ways.push_back({shown.story.section, shown.story.shape, shown.story.core});
   found.findings = families(ways);
   return found;

@@ -29,7 +29,7 @@ std::string text_of(const std::optional<std::uint64_t>& n) { return n ? fmt::for
 // What an alarm shows, with its cause where the other shows the same.
 template <class Event, class Other>
 std::string shown(const Event& event, const Other& other) {
-  const std::string number(event.number.view());
+  std::string number(event.number.view());
   if (event.alarm == spec::AlarmCause::none || event.number != other.number) return number;
   return fmt::format("{} ({})", number, info(event.alarm).name);
 }

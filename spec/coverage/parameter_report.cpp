@@ -114,7 +114,7 @@ std::string alarms_markdown() {
 std::string alarms_json() {
   std::string out = "[";
   for (const AlarmInfo& a : alarms()) {
-    out += fmt::format("{}{{\"cause\":\"{}\"", out.size() == 1 ? "\n" : ",\n", a.name);
+    out += fmt::format(R"({}{{"cause":"{}")", out.size() == 1 ? "\n" : ",\n", a.name);
     for (const auto& [key, text] : {std::pair<std::string_view, std::string_view>{"16i", a.number_16i},
                                     {"30i", a.number_30i},
                                     {"text", a.text},

@@ -76,6 +76,7 @@ std::vector<Table> tables(const Setup& setup, Format format) {
   }
   add("", "parameters", std::move(parameters));
   std::vector<Pair> alarms;
+  alarms.reserve(setup.alarms.size());
   for (const auto& [cause, shown] : setup.alarms)
     alarms.emplace_back(key(std::string(info(cause).name), true), '"' + shown + '"');
   add("", "alarms", std::move(alarms));

@@ -25,8 +25,8 @@ Alarm Interpreter::check(const Words& words, Command& command) const {
   read_command(words, command);
   const bool feeds = command.cycle.on() ? command.cycle.makes_holes() : cuts(words, command.motion);
   if (feeds && lacks_feed(words)) return AlarmCause::no_feed;
-  std::optional<Words> still;
-  const Words& of_stages = for_stages(words, command, still);
+  const std::optional<Words> still = for_stages(words, command);
+  const Words& of_stages = still ? *still : words;
   for (const auto& stage : asked_) stage->read(of_stages, command);
 
   if (words.starts_tip_control() || control_.positions.along_tool())
@@ -47,9 +47,9 @@ Alarm Interpreter::check(const Words& words, Command& command) const {
   return AlarmCause::none;
 }
 
-const Words& Interpreter::for_stages(const Words& words, const Command& command, std::optional<Words>& still) {
-  if (!command.cycle.on() || words.shifts_coordinates()) return words;
-  return still.emplace(words.naming_no_axis());
+std::optional<Words> Interpreter::for_stages(const Words& words, const Command& command) {
+  if (!command.cycle.on() || words.shifts_coordinates()) return std::nullopt;
+  return words.naming_no_axis();
 }
 
 void Interpreter::read_command(const Words& words, Command& command) const {

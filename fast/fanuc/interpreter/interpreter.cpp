@@ -163,8 +163,8 @@ Alarm Interpreter::apply(const Words& words, Command& command) {
     if (const Alarm a = take_length(words, command, extra)) return a;
   control_.cutter_value.take_number(words);
   Stage* through = nullptr;
-  std::optional<Words> still;
-  const Words& of_stages = for_stages(words, command, still);
+  const std::optional<Words> still = for_stages(words, command);
+  const Words& of_stages = still ? *still : words;
   for (const auto& stage : asked_) {
     if (const Alarm a = stage->take(of_stages, command)) return a;
     if (control_.stopped) return AlarmCause::none;

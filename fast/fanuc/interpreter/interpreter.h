@@ -78,8 +78,8 @@ class Interpreter {
   // check.cpp: the alarms of commands, in their order.
   [[nodiscard]] Alarm check(const Words& words, Command& command) const;
   void read_command(const Words& words, Command& command) const;
-  // The words as stages see them; `still` holds those of a block in the drilling mode.
-  [[nodiscard]] static const Words& for_stages(const Words& words, const Command& command, std::optional<Words>& still);
+  // The words as stages see a block in the drilling mode, which names no axis for them; of another block, nothing.
+  [[nodiscard]] static std::optional<Words> for_stages(const Words& words, const Command& command);
   [[nodiscard]] Alarm check_measurement(const Words& words) const;
   [[nodiscard]] Alarm check_offset_write(const Words& words, std::uint32_t list, Command& command) const;
   [[nodiscard]] static bool names_origin(const Words& words, std::uint32_t list);

@@ -298,8 +298,6 @@ void drop_absent_axes(Setup& setup) {
   for (spec::AxisTable* const table : {&setup.position, &setup.floating_reference, &setup.measurement}) drop(*table);
 }
 
-}  // namespace
-
 void stop_codes(Choices& choose, Setup& setup) {
   if (choose.chance(12))
     set(setup, static_cast<std::uint32_t>(3411 + choose.below(10)),
@@ -317,6 +315,8 @@ void reading_ahead(Choices& choose, Setup& setup) {
     set(setup, 19625, spec::decimal(choose.between(3, 8)));
   stop_codes(choose, setup);
 }
+
+}  // namespace
 
 Setup random_cutter_setup(Choices& choose, spec::CutterCompensationType type) {
   Setup setup = random_setup(choose, Kinematics::none);

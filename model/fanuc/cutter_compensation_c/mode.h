@@ -28,15 +28,15 @@ enum class CutterPart : std::uint8_t {
 
 struct CutterPlan {
   CutterPart part = CutterPart::free;
-  CutterOffset offset;                       // at its end: of the last block that moved
-  OffsetPath path = {};                      // of a start-up block, and of those with *
-  int count = 0;                             // idle: as how many blocks without motion
-  bool to_check = true;                      // for interference
-  bool changes = false;                      // lone_start, lone_cancel: the vector that is made or removed is not 0
-  bool shifts = false;                       // G52 or G92 of the plane takes the vector away before
-  bool after_leg = false;                    // shifts: a moving block waits for its corner
-  bool stops = false;                        // nothing is read beyond this block before it has run
-  std::optional<PlanePoint> direction = {};  // cancel: of the I J of its G40, not zero
+  CutterOffset offset;     // at its end: of the last block that moved
+  OffsetPath path = {};    // of a start-up block, and of those with *
+  int count = 0;           // idle: as how many blocks without motion
+  bool to_check = true;    // for interference
+  bool changes = false;    // lone_start, lone_cancel: the vector that is made or removed is not 0
+  bool shifts = false;     // G52 or G92 of the plane takes the vector away before
+  bool after_leg = false;  // shifts: a moving block waits for its corner
+  bool stops = false;      // nothing is read beyond this block before it has run
+  std::optional<PlanePoint> direction = std::nullopt;  // cancel: of the I J of its G40, not zero
 };
 
 // Follows the mode through the program. Clauses: fanuc.cutter-c.*.

@@ -54,9 +54,10 @@ struct SideArc {
 // A line or an arc as the corner at one of its ends sees it, in the compensation plane there: its tangent, of an arc
 // without `ahead`. Of a line with the travel U, `left` is W = VT × U, which is not 0.
 struct SideEnd : Tangent<Vector> {
-  Vector direction;                  // U; of an arc ρ, the radius from its centre, which is taken at the same height
-  int turn = 0;                      // 0 a line, 1 an arc counter-clockwise, -1 clockwise, as seen from the tool
-  std::optional<Rational> radius{};  // of an arc, where R gives it and the tool stands upright on its plane
+  Vector direction;  // U; of an arc ρ, the radius from its centre, which is taken at the same height
+  int turn = 0;      // 0 a line, 1 an arc counter-clockwise, -1 clockwise, as seen from the tool
+  std::optional<Rational> radius =
+      std::nullopt;  // of an arc, where R gives it and the tool stands upright on its plane
 
   [[nodiscard]] bool is_arc() const { return turn != 0; }
 };
