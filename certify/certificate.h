@@ -28,20 +28,20 @@ enum class Origin : std::uint8_t { golden, generated, own };
 
 // The sums of one section. Lengths in micrometres.
 struct SectionResult {
-  std::string section;                            // empty: programs of the user's own
-  std::array<std::uint64_t, 3> cases{};           // by origin
-  std::array<std::uint64_t, kResults> results{};  // by Result
-  std::uint64_t values = 0;                       // judged
-  std::uint64_t decisions = 0;                    // of the model, by sign
-  std::uint64_t near_ties = 0;                    // decisions inside their band
-  std::uint64_t ties = 0;                         // near ties at which the other, permitted outcome was taken
-  std::uint64_t wide = 0;                         // values that were granted more than policy::kCap: not judged
-  std::uint64_t cut_cases = 0;                    // judged only up to a block that is not supported or not judged
-  std::uint64_t cut_programs = 0;                 // of these, the user's own programs
-  std::uint64_t wide_cases = 0;                   // cases in which more than policy::kMostWide of the values are wide
-  std::uint64_t out_of_scope = 0;                 // events after an event with the reason OUT_OF_SCOPE
-  std::uint64_t events = 0;                       // events of the model that were judged
-  std::uint64_t left_out = 0;                     // events that were left out because of Capabilities::known
+  std::string section;                                // empty: programs of the user's own
+  std::array<std::uint64_t, 3> cases{};               // by origin
+  std::array<std::uint64_t, kResultCount> results{};  // by Result
+  std::uint64_t values = 0;                           // judged
+  std::uint64_t decisions = 0;                        // of the model, by sign
+  std::uint64_t near_ties = 0;                        // decisions inside their band
+  std::uint64_t ties = 0;                             // near ties at which the other, permitted outcome was taken
+  std::uint64_t wide = 0;                             // values that were granted more than policy::kCap: not judged
+  std::uint64_t cut_cases = 0;                        // judged only up to a block that is not supported or not judged
+  std::uint64_t cut_programs = 0;                     // of these, the user's own programs
+  std::uint64_t wide_cases = 0;    // cases in which more than policy::kMostWide of the values are wide
+  std::uint64_t out_of_scope = 0;  // events after an event with the reason OUT_OF_SCOPE
+  std::uint64_t events = 0;        // events of the model that were judged
+  std::uint64_t left_out = 0;      // events that were left out because of Capabilities::known
   std::map<spec::Clause, std::uint64_t> left_out_for;  // how many of these rest on each clause
   std::uint64_t few_events = 0;                        // cases with a verdict and fewer than three events judged
   // Cases that do not apply because the controller does them otherwise by design, as it says, by the name of the

@@ -22,7 +22,7 @@ enum class Result : std::uint8_t {
   partly_judged,   // agrees in what was judged, but more than policy::kMostWide of its values were not judged, or it
                    // goes beyond what is supported
 };
-inline constexpr std::size_t kResults = 7;
+inline constexpr std::size_t kResultCount = 7;
 std::string_view name(Result result);
 
 // Whether too many values are wide, that is, were granted more than policy::kCap, compared with those that were judged.

@@ -109,7 +109,7 @@ Record read_record(std::uint64_t number, std::string_view line) {
     r.section = json.at("section").get<std::string>();
     r.origin = named<Origin, 3>(json.at("origin").get<std::string>(), place);
     record.asked = json.at("asked").get<bool>();
-    r.result = named<Result, kResults>(json.at("result").get<std::string>(), place);
+    r.result = named<Result, kResultCount>(json.at("result").get<std::string>(), place);
     r.why = text("why");
     r.known_difference = text("known_difference");
     if (r.result == Result::differs) r.key = {r.section, text("clause"), text("kind")};

@@ -121,7 +121,7 @@ void add_section(const Reader& read, const Node& node, Controller& controller) {
   Counted counted;
   counted.failed = controller.exit_status == 4;
   std::uint64_t all = 0;
-  for (std::size_t i = 0; i < kResults; ++i) {
+  for (std::size_t i = 0; i < kResultCount; ++i) {
     const auto result = static_cast<Result>(i);
     const std::uint64_t cases = count(read, results, certify::name(result));
     all += cases;

@@ -12,12 +12,12 @@
 namespace toolcomp::exact {
 namespace {
 
-constexpr std::size_t chunk_nodes = 128;
+constexpr std::size_t kChunkNodes = 128;
 // Larger rationals give their limbs back when a node is released.
-constexpr int kept_limbs = 16;
+constexpr int kKeptLimbs = 16;
 
 struct Chunk {
-  std::array<Node, chunk_nodes> nodes;
+  std::array<Node, kChunkNodes> nodes;
   Chunk* previous = nullptr;
 };
 
@@ -143,7 +143,7 @@ void release(Node* node) noexcept {
     for (Node* operand : {dead->left, dead->right})
       if (operand != nullptr && --operand->references == 0) operand->next = std::exchange(waiting, operand);
     dead->refined.reset();
-    if (dead->left == nullptr) dead->value.trim(kept_limbs);
+    if (dead->left == nullptr) dead->value.trim(kKeptLimbs);
     dead->next = std::exchange(pool.free, dead);
     --pool.live;
   }

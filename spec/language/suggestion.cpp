@@ -10,7 +10,7 @@
 namespace toolcomp::spec {
 namespace {
 
-constexpr std::size_t kShown = 3;
+constexpr std::size_t kSuggested = 3;
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 std::string plain(std::string_view name) {
@@ -41,7 +41,7 @@ std::vector<std::string_view> nearest_names(std::string_view word, const std::ve
     least = distance;
     nearest.push_back(name);
   }
-  if (nearest.size() > kShown) nearest.resize(kShown);
+  if (nearest.size() > kSuggested) nearest.resize(kSuggested);
   return nearest;
 }
 
