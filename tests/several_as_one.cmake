@@ -3,14 +3,14 @@
 # take the same short names (`run`, `setup`), so each file stands in a namespace of its own, in which the namespaces it
 # opens mean those of the library. What they include stands above all of them. `./dev includes` compiles each by itself.
 
-# toolcomp_several_as_one(FOLDER VARIABLE FILE…): the names of files that include up to eight of FILE… each.
+# toolcomp_several_as_one(FOLDER VARIABLE FILE…): the names of files that include up to sixteen of FILE… each.
 function(toolcomp_several_as_one folder variable)
   set(written "")
   while(ARGN)
     list(LENGTH ARGN left)
-    list(SUBLIST ARGN 0 8 files)
-    if(left GREATER 8)
-      list(SUBLIST ARGN 8 -1 ARGN)
+    list(SUBLIST ARGN 0 16 files)
+    if(left GREATER 16)
+      list(SUBLIST ARGN 16 -1 ARGN)
     else()
       set(ARGN "")
     endif()
