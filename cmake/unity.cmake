@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Several files are compiled as one, where no name means two things in them: headers and templates are most of what a
-# compiler does here. Whoever needs every file by itself, as clang-tidy does, configures with TOOLCOMP_UNITY=OFF;
-# `./dev includes` looks whether each includes what it needs.
+# compiler does here. Whoever changes one file again and again may configure with TOOLCOMP_UNITY=OFF. `./dev includes`
+# looks whether each includes what it needs.
 option(TOOLCOMP_UNITY "Compile several files as one" ON)
 set(TOOLCOMP_UNITY_SIZE 16 CACHE STRING "How many files at most")
 

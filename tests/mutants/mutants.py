@@ -3,13 +3,14 @@
 """Random mutants of the sources: does anything notice?
 
 Makes N mutants of the fast engine, or of the oracle and the judges of certify: an operator, a condition or a constant
-changed, a statement left out. Each is one object file and one link. A mutant of the fast engine is searched as a
+changed, a statement left out. Each is one object file (the sources that the build compiles as one, with the mutant among
+them) and one link. A mutant of the fast engine is searched as a
 campaign searches, with fresh directed cases of all sections in turns, which says after how many executions it is found;
 what is not found so answers `toolcomp certify` as ./dev certify runs it, and then runs the engine's unit tests. One of
 the oracle runs the tests of the harness. Killed: found. Survived: nobody noticed. Mutants whose object code is that of
 the original are counted apart, so are those that do not compile and those that took too long.
 
-The results stand in BUILD/mutants/SOURCES-SEED.json and .txt. A run that was ended goes on where it stopped.
+The results stand in build/mutants/SOURCES-SEED.json and .txt. A run that was ended goes on where it stopped.
 """
 import argparse
 import concurrent.futures
@@ -68,6 +69,7 @@ SWAPS = [(" < ", " <= "), (" <= ", " < "), (" > ", " >= "), (" >= ", " > "), (" 
          (" += ", " -= "), (" -= ", " += "), ("std::min", "std::max"), ("std::max", "std::min"),
          ("return true;", "return false;"), ("return false;", "return true;"), ("++", "--"), (" < ", " > "),
          (" > ", " < ")]
+INCLUDE = re.compile(r'^#include "(/.*\.cpp)"$', re.M)
 CONSTANT = re.compile(r"(?<![\w.#])(\d+(?:\.\d+)?)(?![\w.'])")
 DELETABLE = re.compile(r"^\s+(?!return\b|case\b|default\b|using\b|const\b|constexpr\b|static\b|auto\b|struct\b|enum\b|"
                        r"break;|template\b|friend\b|throw\b|explicit\b|typedef\b|delete\b|virtual\b)"
@@ -145,6 +147,19 @@ def run(command, timeout, **how):
         return None, ""
 
 
+def commands_of(build):
+    """For each source, the command that compiles it, and what that compiles as one: None where it is the source alone.
+
+    A file of the fast engine is compiled twice; the first is the engine as it is shipped."""
+    commands = {}
+    for entry in json.loads((build / "compile_commands.json").read_text()):
+        file = pathlib.Path(entry["file"])
+        group = file.read_text() if "Unity" in file.parts else None
+        for source in INCLUDE.findall(group) if group else [str(file)]:
+            commands.setdefault(source, (entry, group))
+    return commands
+
+
 class Bench:
     """Where one mutant at a time is made and judged."""
 
@@ -153,10 +168,7 @@ class Bench:
         self.cases, self.runs = options.cases, options.runs
         oracle = ORACLE_TESTS if options.quick else ORACLE_TESTS + SLOW_ORACLE_TESTS
         self.tests = oracle if self.sources == "oracle" else tests_of(self.sources)
-        # A file of the fast engine is compiled twice; the first is the engine as it is shipped.
-        self.commands = {}
-        for entry in json.loads((build / "compile_commands.json").read_text()):
-            self.commands.setdefault(entry["file"], entry)
+        self.commands = commands_of(build)
         self.originals = {}
         self.baseline = {}
         work.mkdir(parents=True, exist_ok=True)
@@ -182,13 +194,16 @@ class Bench:
         return libraries
 
     def compile(self, path, text):
-        """The object file of a text in place of a source, or None."""
-        entry = self.commands[str(ROOT / path)]
+        """The object file of a text in place of a source, with what is compiled with it, or None."""
+        entry, group = self.commands[str(ROOT / path)]
         words = shlex.split(entry["command"])
         if words[0].endswith("ccache"):
             words = words[1:]
         source, target = self.work / ("unit_" + path.name), self.work / "unit.o"
         source.write_text(text)
+        if group:
+            alone, source = source, self.work / ("group_" + path.name)
+            source.write_text(group.replace(f'"{ROOT / path}"', f'"{alone}"'))
         keep = []
         skip = 0
         for word in words:
@@ -269,15 +284,16 @@ class Bench:
         programs = sorted(str(p) for e in ("nc", "h") for p in (ROOT / "examples").glob(f"*/*/*.{e}"))
         return (("golden", ["--cases", "0", *programs[:1]]), ("certify", ["--cases", str(self.cases), *programs]))
 
-    def measure_baseline(self):
+    def measure_baseline(self, path):
         """What comes of it without a change: what fails then tells nothing of a mutant."""
-        # By the same way as with a mutant.
-        outcome, what, _ = self.judge_by_tests("", [])
+        # By the same way as with a mutant of the source at `path`.
+        unchanged = [self.compile(path, (ROOT / path).read_text())]
+        outcome, what, _ = self.judge_by_tests("", unchanged)
         if outcome != "survived":
             sys.exit(f"without a mutant {what} fails: ./dev build")
         if self.sources == "oracle":
             return
-        found = self.search([])
+        found = self.search(unchanged)
         if found is None or found[0]:
             sys.exit(f"the sound engine is found: {found}")
         self.baseline = {} if self.sources == "model" else {what: self.certify(f"{self.build}/toolcomp serve --engine fast", arguments)
@@ -354,13 +370,13 @@ def main():
     parser.add_argument("--runs", type=int, default=5000, help="executions a section of the search")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--timeout", type=float, default=900, help="seconds a mutant may take")
-    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/mutants",
-                        help="where every file is compiled by itself")
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/release",
+                        help="a build with the tests")
     options = parser.parse_args()
     every = [m for m in all_mutations([options.file] if options.file else SOURCES[options.sources])
              if options.line in (None, m[1] + 1)]
     chosen = random.Random(options.seed).sample(every, min(options.count, len(every)))
-    folder = options.build.resolve() / "mutants"
+    folder = ROOT / "build/mutants"
     name = f"{options.sources}-{options.seed}" + (f"-{pathlib.Path(options.file).stem}" if options.file else "")
     name += f"-{options.line}" if options.line else ""
     benches = [Bench(options.build.resolve(), folder / f"{name}.work" / str(job), options) for job in range(options.jobs)]
@@ -372,8 +388,8 @@ def main():
         chosen = [(pathlib.Path(r["file"]), r["line"] - 1, r["operator"], r["original"], r["changed"])
                   for r in survivors if (ROOT / r["file"]).read_text().splitlines()[r["line"] - 1] == r["original"]]
     done = {(r["file"], r["line"], r["original"], r["changed"]) for r in results}
-    if options.sources != "oracle" or not record.exists():
-        benches[0].measure_baseline()
+    if chosen and (options.sources != "oracle" or not record.exists()):
+        benches[0].measure_baseline(chosen[0][0])
     for bench in benches:
         bench.baseline = benches[0].baseline
     print(f"{len(every)} places, {len(chosen)} mutants, {len(done)} of an earlier run", flush=True)
