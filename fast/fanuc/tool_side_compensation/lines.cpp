@@ -99,7 +99,6 @@ void ToolSideCompensation::hold_last(const TakenLine& before_last, const TakenLi
   set(from, before_last.way);
   set(to, last.way);
   moves_at_end_ = moves_in_plane_of(false, to.travel, *to.tool);
-  start_of_path_ = {from.tool, to.side, &from.offset};
   SideGroup& start = at_start();
   set_corner_of_doubles(start, vector);
   SideCorner& corner = start.corner;

@@ -10,7 +10,7 @@
 
 namespace toolcomp::fast {
 
-// How a path is seen at its start: at the corner there, or by itself.
+// How an arc is seen at its start: at the corner there, or by itself.
 struct PathStart {
   const Direction* tool = nullptr;
   int side = 1;

@@ -109,7 +109,6 @@ StageEnd ToolSideCompensation::block() {
   if (mode_ == Mode::ends) return cancel_block(block);
   first_block(block);
   moves_at_end_ = true;
-  start_of_path_ = {last_->tool, last_->side, &last_->offset};
   return {};
 }
 

@@ -163,7 +163,7 @@ class ToolSideCompensation : public CornerQueue<ToolSideCompensation, ToolSideBl
   bool moves_at_end_ = false;
   Treatment treatment_ = Treatment::none;
   NextPath next_of_path_;
-  PathStart start_of_path_;
+  PathStart start_of_path_;           // of an arc that is held
   const SidePath* joined_ = nullptr;  // the next path of the one that has gone out last; nullptr: it had none
   bool keeps_ = false;                // and that keeps the vector
 
