@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "fuzz/targets/by_columns.h"
 #include "fuzz/targets/pieces.h"
 #include "fuzz/targets/worker.h"
 #include "spec/language/fanuc/program_reader.h"
@@ -45,32 +46,23 @@ bool is_line(const Block& block, const LineColumns& columns, std::size_t line) {
          block.word[0].column == columns.column[line] && std::ranges::all_of(block.words(), has_place);
 }
 
-// The same text with some of its lines read as columns: they are those blocks.
-void read_by_columns(std::string_view text, bool block_skip, std::size_t pieces, const std::vector<Block>& blocks) {
-  const auto columns = std::make_unique<LineColumns>();
-  ProgramReader reader(std::make_unique<toolcomp::fuzz::Pieces>(text, pieces), Axes(kAxes),
-                       {.file = "p", .block_skip = block_skip, .called_program = {}, .most_repeated = 1000});
-  std::size_t at = 0;
-  Block block;
-  try {
-    while (reader.next(block)) {
-      require(at < blocks.size() && same(block, blocks[at]) && block.line == blocks[at].line);
-      ++at;
-      reader.lines(*columns, 1 + pieces);
-      const std::size_t passed = columns->size / 2;
-      for (std::size_t i = 0; i < passed; ++i) require(at + i < blocks.size() && is_line(blocks[at + i], *columns, i));
-      if (passed > 0) reader.pass_lines(passed);
-      at += passed;
-    }
-  } catch (const InputError&) {
-    return;
-  }
-  require(at == blocks.size());
+ProgramReader reader_of(std::unique_ptr<ByteSource> source, bool block_skip) {
+  return {std::move(source),
+          Axes(kAxes),
+          {.file = "p", .block_skip = block_skip, .called_program = {}, .most_repeated = 1000}};
+}
+
+// The same text with some of its lines read as columns.
+void read_by_columns(std::string_view text, bool block_skip, std::size_t pieces) {
+  ProgramReader reader = reader_of(std::make_unique<toolcomp::fuzz::Pieces>(text, pieces), block_skip);
+  ProgramReader blocks = reader_of(text_source(text), block_skip);
+  toolcomp::fuzz::read_by_columns<Block>(
+      reader, blocks, 1 + pieces, [](const Block& a, const Block& b) { return same(a, b) && a.line == b.line; },
+      is_line);
 }
 
 Outcome read(std::unique_ptr<ByteSource> source, bool block_skip) {
-  ProgramReader reader(std::move(source), Axes(kAxes),
-                       {.file = "p", .block_skip = block_skip, .called_program = {}, .most_repeated = 1000});
+  ProgramReader reader = reader_of(std::move(source), block_skip);
   Outcome outcome;
   Block block;
   try {
@@ -110,7 +102,7 @@ void hold(std::string_view bytes) {
   const std::string_view text = bytes.substr(1);
   const Outcome whole = read(text_source(text), block_skip);
   const Outcome pieces = read(std::make_unique<toolcomp::fuzz::Pieces>(text, 1 + first / 2U), block_skip);
-  read_by_columns(text, block_skip, 1 + first / 2U, whole.blocks);
+  read_by_columns(text, block_skip, 1 + first / 2U);
   require(whole.error == pieces.error && whole.blocks.size() == pieces.blocks.size());
   for (std::size_t i = 0; i < whole.blocks.size(); ++i) {
     require(same(whole.blocks[i], pieces.blocks[i]) && same_place(whole.blocks[i], pieces.blocks[i]));

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "fuzz/targets/by_columns.h"
 #include "fuzz/targets/pieces.h"
 #include "fuzz/targets/worker.h"
 #include "spec/language/heidenhain/klartext_reader.h"
@@ -161,25 +162,12 @@ bool is_line(const Block& block, const LineColumns& columns, std::size_t line) {
 
 // The same text with some of its blocks read as columns.
 void read_by_columns(std::string_view text, bool block_skip, std::size_t pieces) {
-  const auto columns = std::make_unique<LineColumns>();
   const Setup setup = setup_of(block_skip);
   const ReaderOptions options{.file = "p", .most_repeated = 500};
   klartext::Reader reader(std::make_unique<toolcomp::fuzz::Pieces>(text, pieces), setup, options);
   klartext::Reader blocks(text_source(text), setup, options);
-  Block block;
-  Block other;
-  try {
-    while (reader.next(block)) {
-      require(blocks.next(other) && same(kept(block), kept(other)));
-      reader.lines(*columns, 1 + pieces);
-      const std::size_t passed = columns->size / 2;
-      for (std::size_t i = 0; i < passed; ++i) require(blocks.next(other) && is_line(other, *columns, i));
-      if (passed > 0) reader.pass_lines(passed);
-    }
-  } catch (const InputError&) {
-    return;
-  }
-  require(!blocks.next(other));
+  toolcomp::fuzz::read_by_columns<Block>(
+      reader, blocks, 1 + pieces, [](const Block& a, const Block& b) { return same(kept(a), kept(b)); }, is_line);
 }
 
 std::string with_carriage_returns(std::string_view text) {
