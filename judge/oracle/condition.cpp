@@ -92,20 +92,39 @@ Conditions::Conditions(const spec::Setup& setup, const ProgramFacts* facts, doub
 double Conditions::condition(std::span<const model::Event> window, const Vector& tool,
                              const Vector& compensation) const {
   double worst = 1;
-  const auto pair = [&](const Vector& movement) {
-    if (length(movement) == 0) return;
+  // Whether there is a movement.
+  const auto pair = [&](const Programmed& from, const Programmed& to) {
+    const Vector movement = way_of(from, to, index_);
+    if (length(movement) == 0) return false;
     const double s = sine(movement, tool);
-    if (s > 0 && s >= smallest_sine_ && coplanar(compensation, movement, tool, s)) worst = std::max(worst, 1 / s);
+    if (s > 0 && s >= smallest_sine_ && coplanar(compensation, movement, tool, s) &&
+        !(s < policy::kSlack && along(window.front().tool_axis, from, to)))
+      worst = std::max(worst, 1 / s);
+    return true;
   };
   const Programmed& at = window.front().programmed;
-  pair(way_of(programmed_, at, index_));
-  for (std::size_t i = 1; i < window.size(); ++i) {
-    if (window[i].kind != spec::EventKind::move) continue;
-    const Vector movement = way_of(at, window[i].programmed, index_);
-    pair(movement);
-    if (length(movement) != 0) break;
-  }
+  (void)pair(programmed_, at);
+  for (std::size_t i = 1; i < window.size(); ++i)
+    if (window[i].kind == spec::EventKind::move && pair(at, window[i].programmed)) break;
   return worst;
+}
+
+bool Conditions::along(const std::optional<std::array<model::Real, 3>>& tool, const Programmed& from,
+                       const Programmed& to) const {
+  const auto way = [&](std::size_t i) {
+    const std::size_t axis = index_[i];
+    return axis != spec::Axes::kNone && from.has(axis) && to.has(axis) ? to[axis] - from[axis] : model::Real(0);
+  };
+  const std::array<model::Real, 3> movement{way(0), way(1), way(2)};
+  const std::array<model::Real, 3> axis = tool.value_or(std::array<model::Real, 3>{0, 0, 1});
+  const auto level = [&](std::size_t i, std::size_t j) {
+    return (movement[i] * axis[j] - movement[j] * axis[i]).sign() == exact::Sign::zero;
+  };
+  try {
+    return level(0, 1) && level(1, 2) && level(2, 0);
+  } catch (const exact::Undecided&) {
+    return false;
+  }
 }
 
 Scale Conditions::next(std::span<const model::Event> window) {

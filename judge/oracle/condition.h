@@ -49,6 +49,10 @@ class Conditions {
   [[nodiscard]] Scale sample(std::span<const model::Event> window, Scale scale);
   [[nodiscard]] double condition(std::span<const model::Event> window, const Vector& tool,
                                  const Vector& compensation) const;
+  // Whether the way is exactly along the tool: it makes no vector, whatever parameter 19631 is. If that cannot be
+  // decided, it is not.
+  [[nodiscard]] bool along(const std::optional<std::array<model::Real, 3>>& tool, const Programmed& from,
+                           const Programmed& to) const;
   [[nodiscard]] Vector vector(const spec::AxisValues<model::Real>& values) const { return space_of(values, index_); }
   void head(std::span<const model::Event> window, const View& view, const Vector& compensation, Scale& scale) const;
   void arc(const model::Event& event, const Vector& compensation, Scale& scale) const;

@@ -93,8 +93,8 @@ TEST_P(WidthsOf, AreNarrow) {
   EXPECT_LT(widths.share_above_um(), 1e-3);
 }
 
-Widths widths_of(const std::string& case_text) {
-  const Trial trial = try_case(fuzz::decode("fanuc/tool-posture-control", case_text));
+Widths widths_of(const std::string& case_text, const char* section = "fanuc/tool-posture-control") {
+  const Trial trial = try_case(fuzz::decode(section, case_text));
   EXPECT_FALSE(trial.found()) << case_text;
   return trial.verdict.widths;
 }
@@ -103,6 +103,23 @@ const std::string kHead = "a XYZBC\np 19680 2\np 19681 5\np 19682 3\np 19686 4\n
 
 // Leant by 90 degrees into the travel itself, from across it: as good as any direction.
 TEST(Widths, LeantIntoTheTravel) { EXPECT_LT(widths_of(kHead + "G43.5 H0 Q90\nG01 X10 F100\n").largest(), 1e-3); }
+
+// With no range of angles a movement exactly along the tool, (0, -59.4, -79.2), makes no vector, so it makes none wide:
+// neither the one that is kept before it nor the one after it. The same of a position that G49 gives another name.
+TEST(Widths, AlongTheToolOfALeadingEdge) {
+  const char* const section = "fanuc/leading-edge-offset";
+  const Widths along = widths_of(
+      "a XYZBC\np 19631 0\nd 1 5\n%%\n"
+      "G43.5 K1\nG41.3 D1\nG01 Y10 F100\nI0 J3 K4 X5 Y20\nY-39.4 Z-79.2\nX20\n",
+      section);
+  EXPECT_GT(along.count(), 20U);
+  EXPECT_LT(along.largest(), 1e-3);
+  const Widths renamed = widths_of(
+      "h 1 .001\nd 1 5\np 19631 0\n" + kHead + "G43.5 H1 I.99 J-.498 K.194\nG49\nG41.3 D1\nG01 X90 Z-60 F100\nX20\n",
+      section);
+  EXPECT_GT(renamed.count(), 20U);
+  EXPECT_LT(renamed.largest(), 1e-3);
+}
 
 // The situations that docs/certificate.md lists, and the count of what is wide elsewhere.
 TEST(Widths, KnownSituations) {
