@@ -501,6 +501,8 @@ std::size_t expect_samples(spec::Case c, const std::string& letters, double tole
     } else if (event.kind == spec::EventKind::sample) {
       found = search(event, [&](const PathPiece& piece) { return errors_off(piece, p, space) <= 1; }) || p == last;
       ++seen;
+    } else if (event.kind == spec::EventKind::hole) {
+      last = p;
     }
     EXPECT_TRUE(found) << spec::name(event.kind) << " of line " << event.line << " at " << event.t_numerator << "/"
                        << event.t_denominator;
