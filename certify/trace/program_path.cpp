@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "certify/trace/blocks.h"
@@ -16,6 +17,7 @@
 #include "certify/trace/curve_bound.h"
 #include "model/basis/number.h"
 #include "model/fanuc/program/motion.h"
+#include "model/kinematics/posture_motion.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::certify {
@@ -46,6 +48,17 @@ struct Given {
   model::MoveMotion motion;  // without a move: where positions are counted from
   std::optional<model::Event> move;
 };
+
+// Whether the tool that the program alone directs ends opposite to where it stands inside the whole move: no machine
+// does that. Clause: fanuc.tool-center-point.without-kinematics.
+bool turns_about(const Given& given) {
+  if (!given.motion.inside || !given.move->tool_axis) return false;
+  const model::MotionForm posture = given.motion.inside->form().posture;
+  const auto* swing = std::get_if<model::DirectionSwing>(&posture);
+  const auto& [x, y, z] = *given.move->tool_axis;
+  return swing != nullptr && exact::known_zero(swing->degrees) &&
+         dot(swing->from, exact::Vector3{x, y, z}).sign() == exact::Sign::negative;
+}
 
 // A curve in the making.
 struct Curve {
@@ -272,6 +285,11 @@ bool ProgramPath::Run::begin(const Given& given, PathPiece& piece) {
   // What happens at a hole is the business of its cycle: its end alone is judged.
   piece_.free = event.hole || (!options_.judge_rapids && event.type == spec::MoveType::rapid);
   std::optional<CurveBound> bound = piece_.free ? std::nullopt : bend(given, from, points);
+  if (bound && turns_about(given)) {
+    end("inside line " + std::to_string(piece_.line) +
+        " the tool turns to the opposite direction, no clause says which way");
+    return false;
+  }
   if (bound) {
     curve_.emplace(Curve{Chords(*std::move(bound), most_), given.motion.inside, from, {}});
     for (std::size_t i = 0; i < axes_.size(); ++i) curve_->by.at(i) = axes_.at(i) - from.at(i);
