@@ -3,9 +3,9 @@
 """Random mutants of the sources: does anything notice?
 
 Makes N mutants of the fast engine, or of the oracle and the judges of certify: an operator, a condition or a constant
-changed, a statement left out. Each is one object file (the sources that the build compiles as one, with the mutant among
-them) and one link. A mutant of the fast engine is searched as a
-campaign searches, with fresh directed cases of all sections in turns, which says after how many executions it is found;
+changed, a statement left out. Each is one object file and one link. In the object file are all sources that the build
+compiles as one, with the mutant among them. A mutant of the fast engine is searched as a campaign searches, with fresh
+directed cases of all sections in turns, which says after how many executions it is found;
 what is not found so answers `toolcomp certify` as ./dev certify runs it, and then runs the engine's unit tests. One of
 the oracle runs the tests of the harness. Killed: found. Survived: nobody noticed. Mutants whose object code is that of
 the original are counted apart, so are those that do not compile and those that took too long.
